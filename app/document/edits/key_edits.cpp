@@ -6,9 +6,11 @@
 #include <limits>
 #include <set>
 
+#include "app/document/edits/grown_path.h"
 #include "app/document/edits/offset_path.h"
 #include "app/document/edits/pose_edits.h"
 #include "app/document/edits/progress.h"
+#include "app/document/edits/rigid_path.h"
 #include "app/document/project.h"
 #include "core/motion/constraints.h"
 
@@ -95,9 +97,14 @@ void removeKey(Handle<Dim>& handle, double time) {
     const Sides<Dim> sides(motions, time);
     if (sides.before != motions.end() && sides.after != motions.end()) {
         const auto offset = offsetOf<Dim>(*sides.before), on = offsetOf<Dim>(*sides.after);
-        if (!offset || !on) return;
+        auto whole = offset && on ? std::nullopt : joinedRotations<Dim>(*sides.before, *sides.after);
+        if (!whole && !(offset && on)) whole = joinedGrowth<Dim>(*sides.before, *sides.after);
+        if (!whole && !(offset && on)) return;
         const Ease ease = easeWith(slowSidesOf<Dim>(*sides.before).start, slowSidesOf<Dim>(*sides.after).end);
-        sides.before->kind = Translate<Dim>{*offset + *on};
+        if (whole)
+            sides.before->kind = whole->kind;
+        else
+            sides.before->kind = Translate<Dim>{*offset + *on};
         sides.before->ease = ease;
         sides.before->end = sides.after->end;
         motions.erase(sides.after);

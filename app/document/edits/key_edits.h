@@ -30,9 +30,9 @@ double fittedShift(const AnyDesign& design, const std::vector<KeyId>& keys, doub
 std::shared_ptr<const Project> withKeysMoved(const Project& project, const std::vector<KeyId>& keys,
                                              double by);
 
-/// Removes key poses. The handle then moves in a straight line from the previous key to the next one. If
-/// there is no next key, it stays at the previous one; if there is no previous key, it starts from its rest
-/// place.
+/// Removes key poses. The handle then moves in a straight line from the previous key to the next one; one
+/// that rotates or grows on either side does so all the way. If there is no next key, it stays at the
+/// previous one; if there is no previous key, it starts from its rest place.
 AnyDesign withoutKeys(const AnyDesign& design, std::vector<KeyId> keys);
 
 /// Holds the handle from each key to the next one, and leads it from there to the one after that.

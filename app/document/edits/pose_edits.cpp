@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/document/edits/bezier_edits.h"
+#include "app/document/edits/grown_path.h"
 #include "app/document/edits/offset_path.h"
 #include "app/document/edits/progress.h"
 #include "app/document/edits/rigid_path.h"
@@ -78,11 +79,19 @@ std::vector<Motion<Dim>> ledCubics(const Motion<Dim>& motion, std::vector<TimedC
     return result;
 }
 
-/// Leads a motion that rotates its handle, too, through a pose, as two tables of poses.
+/// Leads a motion that rotates, grows or deforms its handle, too, through a pose: an even rotation as two
+/// rotations about other centres, growth and fields exactly, others as two tables of poses.
 template <int Dim>
-bool splitRigid(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
+bool splitOther(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
                 double time) {
     const Motion<Dim> own = motions[i];
+    auto parts = ledWhileGrowing<Dim>(own, by, time);
+    if (parts.empty()) parts = ledRotation<Dim>(own, by, time);
+    if (!parts.empty()) {
+        const auto at = motions.erase(motions.begin() + static_cast<std::ptrdiff_t>(i));
+        motions.insert(at, parts.begin(), parts.end());
+        return true;
+    }
     const auto start = startOfRigid<Dim>(own, time, place);
     if (!start) return false;
     const auto before = ledRigidly<Dim>(own, {own.start, time}, *start, by, 0, 1);
@@ -97,6 +106,8 @@ bool splitRigid(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>
 template <int Dim>
 std::optional<Motion<Dim>> ledTo(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
     if (const auto offset = offsetOf<Dim>(motion)) return led<Dim>(motion, by, 0, 1, place - *offset);
+    if (auto grown = ledGrowth<Dim>(motion, by, 0, 1); !grown.empty()) return grown.front();
+    if (auto turned = turnedTo<Dim>(motion, Vec<Dim>::Zero(), by)) return turned;
     const auto start = startOfRigid<Dim>(motion, motion.end, place);
     return start ? ledRigidly<Dim>(motion, {motion.start, motion.end}, *start, by, 0, 1) : std::nullopt;
 }
@@ -105,6 +116,8 @@ std::optional<Motion<Dim>> ledTo(const Motion<Dim>& motion, const Vec<Dim>& plac
 template <int Dim>
 std::optional<Motion<Dim>> ledFrom(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
     if (const auto on = led<Dim>(motion, by, 1, 0, place + by)) return on;
+    if (auto grown = ledGrowth<Dim>(motion, by, 1, 0); !grown.empty()) return grown.front();
+    if (auto turned = turnedTo<Dim>(motion, by, Vec<Dim>::Zero())) return turned;
     return ledRigidly<Dim>(motion, {motion.start, motion.end}, place, by, 1, 0);
 }
 
@@ -121,7 +134,7 @@ bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Di
         return true;
     }
     const auto path = offsetPathOf<Dim>(motions[i], time);
-    if (!path) return splitRigid<Dim>(motions, i, place, by, time);
+    if (!path) return splitOther<Dim>(motions, i, place, by, time);
     const auto [before, after] = split<Dim>(*path, time);
     const Vec<Dim> start = place - path->at(time);
     motions[i] = motionAlong<Dim>(before.led(by, 0, 1), start);

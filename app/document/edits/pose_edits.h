@@ -16,9 +16,11 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
 /// Sets where the handles of a gesture are at gesture.from, by the last point of its path. Their motion
 /// before the previous key pose and after the next one stays. In between, the path is led through the new
 /// pose, by the displacement times a factor that rises linearly in time from 0 to 1 and falls back to 0. At a
-/// key pose, that pose moves; elsewhere a new one is added. Motions that rotate, too, keep their rotation and
-/// become tables of poses. Returns nothing for motions that change the size or shape (scalings, fields), and
-/// at the start of a handle's time. `starts` are the handles' places at that time.
+/// key pose, that pose moves; elsewhere a new one is added. An even rotation becomes rotations about other
+/// centres, which lead it through the pose on arcs; an even scaling or field stays one; other rotations keep
+/// their course and become tables of poses. Returns nothing for scalings and fields that are eased, unless
+/// the pose is at their ends, and at the start of a handle's time. `starts` are the handles' places at that
+/// time.
 template <int Dim>
 std::optional<Project> withPose(const Project& project, const Gesture& gesture,
                                 const std::vector<Vec<Dim>>& starts);

@@ -7,6 +7,7 @@
 #include "app/document/edits/bezier_edits.h"
 #include "app/document/edits/offset_path.h"
 #include "core/motion/constraints.h"
+#include "core/motion/easing.h"
 
 namespace wend {
 
@@ -66,6 +67,38 @@ Progress nearestCurve(const std::vector<double>& way) {
     }
     const Eigen::Vector2d found = normal.inverse() * right;
     return {std::clamp(found[0], 0.0, 1.0), std::clamp(found[1], 0.0, 1.0)};
+}
+
+/// Returns the control values of a progress on a part of the time, by its polar form.
+std::array<double, 4> partOf(const Progress& progress, double from, double to) {
+    const auto polar = [&](double a, double b, double c) {
+        const auto between = [](double s, double x, double y) { return (1 - s) * x + s * y; };
+        const double first = between(a, 0, progress.first),
+                     second = between(a, progress.first, progress.second),
+                     third = between(a, progress.second, 1);
+        return between(c, between(b, first, second), between(b, second, third));
+    };
+    return {polar(from, from, from), polar(from, from, to), polar(from, to, to), polar(to, to, to)};
+}
+
+/// Returns the cubics of an eased polyline: its parts are straight.
+template <int Dim>
+std::vector<TimedCubic<Dim>> easedPolyline(const CurveMotion<Dim>& curve, const Motion<Dim>& motion) {
+    std::vector<TimedCubic<Dim>> cubics;
+    double from = 0;
+    for (const CurvePiece<Dim>& piece : curveOf<Dim>(curve).pieces) {
+        const bool isLast = piece.to >= 1;
+        const double to = isLast ? 1 : easeInverse(motion.ease, piece.to);
+        const Vec<Dim> begin = piece.value(0) - curve.points.front(), way = piece.value(1) - piece.value(0);
+        const std::array<double, 4> at = partOf(progressOf(motion.ease), from, to);
+        TimedCubic<Dim> cubic;
+        for (std::size_t k = 0; k < 4; ++k)
+            cubic.points[k] = begin + (at[k] - piece.from) / (piece.to - piece.from) * way;
+        cubic.time = {std::lerp(motion.start, motion.end, from), std::lerp(motion.start, motion.end, to)};
+        cubics.push_back(cubic);
+        from = to;
+    }
+    return cubics;
 }
 
 template <int Dim>
@@ -205,9 +238,11 @@ template <int Dim>
 std::vector<TimedCubic<Dim>> cubicsOf(const Motion<Dim>& motion) {
     if (const auto whole = cubicOf<Dim>(motion)) return {{*whole, {motion.start, motion.end}}};
     const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
-    if (!curve || !isPlain<Dim>(*curve) || motion.ease != Ease::Linear ||
-        curve->interpolation == Interpolation::Polyline)
-        return {};
+    if (!curve || !isPlain<Dim>(*curve)) return {};
+    const bool isPolyline = curve->interpolation == Interpolation::Polyline,
+               isEven = motion.ease == Ease::Linear;
+    if (isPolyline && !isEven) return easedPolyline<Dim>(*curve, motion);
+    if (isPolyline || !isEven) return {};
     std::vector<TimedCubic<Dim>> cubics;
     for (const CurvePiece<Dim>& piece : curveOf<Dim>(*curve).pieces) {
         const auto c = [&](int k) -> Vec<Dim> { return piece.coefficients.col(k); };

@@ -44,8 +44,9 @@ struct TimedCubic {
     std::array<Vec<Dim>, 4> points;
     MotionTime time;
 };
-/// Returns the cubics of the time that a motion consists of, one after another; none for any other motion, as
-/// for a path of several pieces that is eased.
+/// Returns the cubics of the time that a motion consists of, one after another: also those of a polyline that
+/// is eased. None for any other motion. An eased curve of higher order is none: the cubics of its parameter,
+/// which is a quadratic or cubic of the time, are of the sixth or ninth order in time.
 template <int Dim>
 std::vector<TimedCubic<Dim>> cubicsOf(const Motion<Dim>& motion);
 /// Returns the motion along a cubic of the time: a straight move where it is one.

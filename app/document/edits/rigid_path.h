@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "app/document/edits/key_edits.h"
 #include "core/motion/handle.h"
@@ -20,5 +21,21 @@ std::optional<Motion<Dim>> ledRigidly(const Motion<Dim>& motion, const MotionTim
 /// others.
 template <int Dim>
 std::optional<Vec<Dim>> startOfRigid(const Motion<Dim>& motion, double time, const Vec<Dim>& place);
+
+/// Returns a rotation that is even in time, through a pose beside it at a time: two rotations about other
+/// centres, by the same angles at the same times. In space one that is also shifted along its axis is a table
+/// of two poses. None for other motions, and where a part turns by more than half a turn: an arc about
+/// another centre would lead far away.
+template <int Dim>
+std::vector<Motion<Dim>> ledRotation(const Motion<Dim>& motion, const Vec<Dim>& by, double time);
+/// Returns a rotation, with its easing, that begins and ends at poses beside its own; nothing for other
+/// motions and for more than half a turn.
+template <int Dim>
+std::optional<Motion<Dim>> turnedTo(const Motion<Dim>& motion, const Vec<Dim>& first, const Vec<Dim>& last);
+/// Returns one motion by what two do that follow each other, of which one at least rotates and the other
+/// rotates or translates: a rotation where that is possible. Nothing for other motions, and where a whole
+/// turn and a shift have no such motion.
+template <int Dim>
+std::optional<Motion<Dim>> joinedRotations(const Motion<Dim>& before, const Motion<Dim>& after);
 
 }  // namespace wend

@@ -9,6 +9,7 @@
 #include "app/session/shape/flat_shape.h"
 #include "app/session/shape/material_raster.h"
 #include "app/session/shape/mesh_rest.h"
+#include "app/session/shape/same_mesh.h"
 #include "core/mesh/error.h"
 
 namespace wend {
@@ -79,14 +80,18 @@ int ShapeInputs::dimension() const {
     return dimensionOf(*project);
 }
 
+bool sameMesh(const ShapeInputs& a, const ShapeInputs& b) {
+    if (a.generation != b.generation || a.dimension() != b.dimension()) return false;
+    if (b.dimension() == 3) return sameSolid(*a.project, *b.project);
+    const Domain &p = domainOf(*a.project), &q = domainOf(*b.project);
+    return sameOutline(*a.project, *b.project) && sameSettings(*a.project, *b.project, Makes::Mesh) &&
+           p.texture == q.texture && p.flatSizes == q.flatSizes &&
+           (q.kind != DomainKind::Image || startPoints(a) == startPoints(b));
+}
+
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
-    const Project &a = *made.inputs.project, &b = *inputs.project;
-    if constexpr (Dim == 3) return sameSolid(a, b);
-    const Domain &p = domainOf(a), &q = domainOf(b);
-    return sameOutline(a, b) && sameSettings(a, b, Makes::Mesh) && p.texture == q.texture &&
-           p.flatSizes == q.flatSizes &&
-           (q.kind != DomainKind::Image || startPoints(made.inputs) == startPoints(inputs));
+    return sameMesh(made.inputs, inputs);
 }
 
 template <int Dim>

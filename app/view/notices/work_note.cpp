@@ -1,5 +1,6 @@
 #include "app/view/notices/work_note.h"
 #include "app/document/domain.h"
+#include "app/session/shape/same_mesh.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -54,17 +55,37 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
         qApp->installEventFilter(this);
     });
     connect(m_cancel, &QPushButton::clicked, &session, &ShapeSession::cancelWork);
-    connect(&session, &ShapeSession::busyChanged, this, &WorkNote::follow);
-    connect(&session, &ShapeSession::frameChanged, this, &WorkNote::follow);
+    connect(&session, &ShapeSession::busyChanged, this, &WorkNote::takeState);
+    connect(&session, &ShapeSession::frameChanged, this, &WorkNote::takeState);
     for (const auto told : {&ShapeSession::progress, &ShapeSession::within})
         connect(&session, told, this, [this](double time, double end) {
             m_part = end > 0 ? time / end : 0;
-            follow();
+            takeState();
         });
     connect(&session.document(), &Document::projectChanged, this, [this] {
         m_part = 0;
         follow();
     });
+}
+
+ShapeInputs WorkNote::inputs() const {
+    const Document& document = m_session.document();
+    return {document.generation(), 0, document.project(), document.picture(),
+            document.folder().toStdString()};
+}
+
+/// A shape is on its way after every change. Its mesh is made only if none of before serves.
+bool WorkNote::makesMesh() const {
+    return m_session.isMeshing() && !(m_meshed.project && sameMesh(m_meshed, inputs()));
+}
+
+/// Takes what the session says after it was told of a change, which the note may hear of earlier.
+void WorkNote::takeState() {
+    if (m_session.document().isEmpty())
+        m_meshed = {};
+    else if (m_session.frame() && !m_session.isMeshing())
+        m_meshed = inputs();
+    follow();
 }
 
 /// Drags need no note; the work that they leave starts the delay again.
@@ -88,7 +109,7 @@ QString WorkNote::text() const {
 QString WorkNote::words(double part) const {
     const Document& document = m_session.document();
     if (document.isEmpty()) return {};
-    if (!m_session.isMeshing())
+    if (!makesMesh())
         return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * part)));
     const Domain& domain = document.domain();
     if (domain.kind == DomainKind::Mesh || domain.maxVolume > 0 || domain.edge > 0)
@@ -99,7 +120,7 @@ QString WorkNote::words(double part) const {
 void WorkNote::showText() {
     m_text->setText(words(m_part));
     m_text->setMinimumWidth(m_text->fontMetrics().horizontalAdvance(words(1)) + 2);
-    m_bar->setVisible(!m_session.isMeshing());  // meshing has no progress
+    m_bar->setVisible(!makesMesh());  // meshing has no progress
     m_bar->setValue(static_cast<int>(100 * m_part));
     setAccessibleName(m_text->text());
     place();

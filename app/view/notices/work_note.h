@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <QTimer>
 
+#include "app/session/shape/shape_builder.h"
 #include "app/session/shape_session.h"
 
 class QLabel;
@@ -24,9 +25,12 @@ class WorkNote : public QFrame {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void takeState();
     void follow();
     void showText();
     void place();
+    ShapeInputs inputs() const;
+    bool makesMesh() const;
     QString words(double part) const;
     bool isCancelKey(QObject* watched, QEvent* event) const;
 
@@ -35,7 +39,8 @@ class WorkNote : public QFrame {
     QProgressBar* m_bar;
     QPushButton* m_cancel;
     QTimer m_delay;
-    double m_part = 0;  // of the motion that is there
+    double m_part = 0;     // of the motion that is there
+    ShapeInputs m_meshed;  // the newest whose mesh is there; no project: none is
 };
 
 }  // namespace wend

@@ -1,11 +1,13 @@
 #include <QTest>
 #include <random>
 
+#include "app/document/edits/key_edits.h"
 #include "app/document/edits/pose_edits.h"
 #include "app/document/file/project_reader.h"
 #include "app/document/file/project_writer.h"
 #include "app/document/project.h"
 #include "core/motion/constraints.h"
+#include "core/motion/trajectory.h"
 
 using namespace wend;
 
@@ -19,7 +21,11 @@ class TestPoses : public QObject {
     void startsAtRest();
     void pathsAreSplitExactly_data();
     void pathsAreSplitExactly();
-    void otherKindsAreLeft();
+    void scalingsAndFieldsAreSplitExactly_data();
+    void scalingsAndFieldsAreSplitExactly();
+    void easedScalingsAreLeft();
+    void evenRotationsStayRotations_data();
+    void evenRotationsStayRotations();
     void rotationsAreKept_data();
     void rotationsAreKept();
     void longerFilmKeepsItsTimes();
@@ -113,19 +119,25 @@ void TestPoses::pathsAreSplitExactly_data() {
     QTest::addColumn<int>("dimension");
     QTest::addColumn<int>("interpolation");
     QTest::addColumn<int>("motions");
+    QTest::addColumn<int>("easing");
+    const int even = int(Ease::Linear);
     for (const int dimension : {2, 3}) {
-        QTest::addRow("chain, %dD", dimension) << dimension << int(Interpolation::Bezier) << 4;
-        QTest::addRow("spline, %dD", dimension) << dimension << int(Interpolation::Spline) << 7;
+        QTest::addRow("chain, %dD", dimension) << dimension << int(Interpolation::Bezier) << 4 << even;
+        QTest::addRow("spline, %dD", dimension) << dimension << int(Interpolation::Spline) << 7 << even;
+        for (const Ease ease : {Ease::In, Ease::Out, Ease::InOut})
+            QTest::addRow("polyline with easing %d, %dD", int(ease), dimension)
+                << dimension << int(Interpolation::Polyline) << 7 << int(ease);
     }
 }
 
-/// A chain of four cubics, and a spline through seven points of unequal distances: at all times the pin is
-/// where it was, plus the displacement times a factor that rises from the path's start to the pose and falls
-/// to its end. The places before are the trajectory's own.
+/// A chain of four cubics, a spline through seven points of unequal distances, and eased polylines: at all
+/// times the pin is where it was, plus the displacement times a factor that rises from the path's start to
+/// the pose and falls to its end. The places before are the trajectory's own.
 void TestPoses::pathsAreSplitExactly() {
     QFETCH(int, dimension);
     QFETCH(int, interpolation);
     QFETCH(int, motions);
+    QFETCH(int, easing);
     const auto check = [&](auto dim) {
         constexpr int Dim = decltype(dim)::value;
         std::mt19937 random(7);
@@ -138,9 +150,10 @@ void TestPoses::pathsAreSplitExactly() {
             curve.points.push_back(k == 0 ? Vec<Dim>(Vec<Dim>::Zero()) : point);
         }
         Project before = film<Dim>();
-        std::get<Design<Dim>>(before.design).handles[0].motions = {{curve, 0.5, 3.5}};
+        std::get<Design<Dim>>(before.design).handles[0].motions = {
+            {curve, 0.5, 3.5, static_cast<Ease>(easing)}};
         const Vec<Dim> by = 2 * Vec<Dim>::Unit(0) - Vec<Dim>::Unit(1);
-        const double time = 1.7;
+        const double time = easing == int(Ease::In) ? 2.3 : 1.7;  // not too near a joint
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
         QCOMPARE(int(std::get<Design<Dim>>(after->design).handles[0].motions.size()), motions);
@@ -160,14 +173,157 @@ void TestPoses::pathsAreSplitExactly() {
         check(std::integral_constant<int, 3>());
 }
 
-void TestPoses::otherKindsAreLeft() {
+void TestPoses::scalingsAndFieldsAreSplitExactly_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("kind");
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("about a centre, %dD", dimension) << dimension << 1;
+        QTest::addRow("along a chain, %dD", dimension) << dimension << 4;
+        QTest::addRow("along a spline, %dD", dimension) << dimension << 0;
+        QTest::addRow("field, %dD", dimension) << dimension << -1;
+    }
+}
+
+/// Points of a body that grows, and the share of a field: beside where they were by the displacement times
+/// its factor at all times, and where they were once the key is removed.
+void TestPoses::scalingsAndFieldsAreSplitExactly() {
+    QFETCH(int, dimension);
+    QFETCH(int, kind);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> any(-2, 2);
+        const auto anyPoint = [&] {
+            Vec<Dim> point;
+            for (int i = 0; i < Dim; ++i) point[i] = any(random);
+            return point;
+        };
+        Project before = film<Dim>();
+        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
+        const Vec<Dim> own = anyPoint();
+        if (kind < 0) {
+            FieldMotion<Dim> field;
+            field.values = std::make_shared<const Displacements<Dim>>(Displacements<Dim>{{7, own}});
+            motion.kind = field;
+        } else {
+            CurveMotion<Dim> grows;
+            grows.scale = 0.3;
+            grows.interpolation = kind == 0 ? Interpolation::Spline : Interpolation::Bezier;
+            for (int k = 0; k < (kind == 0 ? 5 : 3 * kind + 1); ++k)
+                grows.points.push_back(k == 0 || kind != 1 ? anyPoint() : grows.points.front());
+            motion.kind = grows;
+        }
+        const double time = 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {  // of vertex 7
+            Vec<Dim> place = p;
+            for (const auto& one : std::get<Design<Dim>>(project.design).handles[0].motions) {
+                const auto map = Trajectory<Dim>(one).at(t, Side::Before);
+                place = map.position(place);
+                if (const auto* field = std::get_if<FieldMotion<Dim>>(&one.kind))
+                    place += map.share * field->values->front().second;
+            }
+            return place;
+        };
+        const auto isBeside = [&](const Project& project, const Vec<Dim>& displacement) {
+            double worst = 0;
+            for (int k = 0; k <= 80; ++k) {
+                const double t = k / 20.0;
+                const double factor =
+                    std::clamp(std::min((t - 2) / (time - 2), (3 - t) / (3 - time)), 0.0, 1.0);
+                for (int i = 0; i < Dim; ++i) {
+                    const Vec<Dim> p = Vec<Dim>::Unit(i);
+                    worst = std::max(worst,
+                                     (at(project, t, p) - at(before, t, p) - factor * displacement).norm());
+                }
+            }
+            return worst < 1e-12;
+        };
+        QVERIFY(isBeside(*after, by));
+        if (kind != 1) return;
+        Project removed = *after;
+        removed.design = withoutKeys(after->design, {{0, time}});
+        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
+        QVERIFY(isBeside(removed, Vec<Dim>::Zero()));
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+/// A part of an easing is none of the easings; at the end of the motion its pose moves.
+void TestPoses::easedScalingsAreLeft() {
     Project project = film<2>();
     CurveMotion<2> grows;
     grows.points = {{0, 0}, {1, 0}, {2, 1}, {3, 3}};
     grows.scale = 2;
-    std::get<Design<2>>(project.design).handles[0].motions[1].kind = grows;
+    auto& motion = std::get<Design<2>>(project.design).handles[0].motions[1];
+    motion.kind = grows;
+    motion.ease = Ease::InOut;
     QVERIFY(!posed<2>(project, 0, 2.5, {1, 0}));
     QVERIFY(posed<2>(project, 0, 0.5, {1, 0}));
+    const auto after = posed<2>(project, 0, 3, {1, 0});
+    QVERIFY(after);
+    const Vec<2> moved = placeAt<2>(*after, 0, 3) - placeAt<2>(project, 0, 3);
+    QVERIFY((moved - Vec<2>(1, 0)).norm() < 1e-12);
+}
+
+void TestPoses::evenRotationsStayRotations_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<bool>("isAcross");
+    QTest::addRow("2D") << 2 << true;
+    QTest::addRow("3D, across the axis") << 3 << true;
+    QTest::addRow("3D, along the axis too") << 3 << false;
+}
+
+/// The body has the rotation that it had at all times, is beside its place at the key, and where it was
+/// before and after. Without the key it is the rotation from before.
+void TestPoses::evenRotationsStayRotations() {
+    QFETCH(int, dimension);
+    QFETCH(bool, isAcross);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        Project before = film<Dim>();
+        Rotate<Dim> turn;
+        turn.centre = 3 * Vec<Dim>::Unit(1);
+        turn.axis = Vec<Dim>::Unit(Dim - 1) * (Dim == 3 ? 2 : 0);
+        turn.angle = 2.5;
+        std::get<Design<Dim>>(before.design).handles[0].motions[1].kind = turn;  // from 2 to 3
+        const double time = 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1) +
+                            (isAcross ? 0 : 0.4) * Vec<Dim>::Unit(Dim - 1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto& motions = std::get<Design<Dim>>(after->design).handles[0].motions;
+        QCOMPARE(int(motions.size()), 3);
+        QCOMPARE(std::holds_alternative<Rotate<Dim>>(motions[1].kind), isAcross);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
+            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+            return timeline.bodyAt(t, Side::Before).position(p);
+        };
+        Project removed = *after;
+        removed.design = withoutKeys(after->design, {{0, time}});
+        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
+        for (int k = 0; k <= 80; ++k) {
+            const double t = k / 20.0;
+            const Vec<Dim> zero = Vec<Dim>::Zero(), off = at(*after, t, zero) - at(before, t, zero);
+            for (int i = 0; i < Dim; ++i) {
+                const Vec<Dim> p = Vec<Dim>::Unit(i);
+                QVERIFY((at(*after, t, p) - at(before, t, p) - off).norm() < 1e-12);  // the same rotation
+                QVERIFY((at(removed, t, p) - at(before, t, p)).norm() < 1e-12);
+            }
+            QVERIFY(off.norm() < 1.5 * by.norm());
+            if (t <= 2 || t >= 3) QVERIFY(off.norm() < 1e-12);
+            if (k == 48) QVERIFY((off - by).norm() < 1e-12);
+        }
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
 }
 
 void TestPoses::rotationsAreKept_data() {

@@ -1,5 +1,6 @@
 #include <QDataStream>
 #include <QFile>
+#include <QFileInfo>
 #include <QMenu>
 #include <QScopeGuard>
 #include <QSettings>
@@ -50,6 +51,7 @@ class TestTracks : public QObject {
     void markersNameTimes();
     void framesAreCounted();
     void soundIsDrawnAndHeard();
+    void soundIsThatOfItsTime();
 
   private:
     ShapeSession& session() { return m_window->session(); }
@@ -482,30 +484,35 @@ void TestTracks::framesAreCounted() {
     QVERIFY(std::abs(session().playback().time() - before - 1 / 12.0) < 1e-9);
 }
 
+/// Writes a sound of one channel.
+bool writeWave(const QString& path, const std::vector<double>& sound, int rate) {
+    QFile wave(path);
+    if (!wave.open(QFile::WriteOnly)) return false;
+    const auto bytes = static_cast<quint32>(2 * sound.size());
+    QDataStream out(&wave);
+    out.setByteOrder(QDataStream::LittleEndian);
+    out.writeRawData("RIFF", 4);
+    out << quint32(36 + bytes);
+    out.writeRawData("WAVEfmt ", 8);
+    out << quint32(16) << quint16(1) << quint16(1) << quint32(rate) << quint32(2 * rate) << quint16(2)
+        << quint16(16);
+    out.writeRawData("data", 4);
+    out << bytes;
+    for (const double sample : sound) out << static_cast<qint16>(32767 * sample);
+    return out.status() == QDataStream::Ok;
+}
+
 /// A second of silence and a second of a tone: the loudness that ffmpeg decodes, and the times at which the
 /// player is asked for the sound.
 void TestTracks::soundIsDrawnAndHeard() {
     if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) QFAIL("ffmpeg is not there");
     QTemporaryDir folder;
     constexpr int kRate = 8000;
-    QByteArray samples(2 * 2 * kRate, 0);
-    for (int i = kRate; i < 2 * kRate; ++i) {
-        const auto sample = static_cast<qint16>(16384 * std::sin(2 * std::numbers::pi * 440 * i / kRate));
-        std::memcpy(samples.data() + 2 * i, &sample, 2);
-    }
-    QFile wave(folder.filePath(QStringLiteral("tone.wav")));
-    QVERIFY(wave.open(QFile::WriteOnly));
-    QDataStream out(&wave);
-    out.setByteOrder(QDataStream::LittleEndian);
-    out.writeRawData("RIFF", 4);
-    out << quint32(36 + samples.size());
-    out.writeRawData("WAVEfmt ", 8);
-    out << quint32(16) << quint16(1) << quint16(1) << quint32(kRate) << quint32(2 * kRate) << quint16(2)
-        << quint16(16);
-    out.writeRawData("data", 4);
-    out << quint32(samples.size());
-    out.writeRawData(samples.constData(), int(samples.size()));
-    wave.close();
+    std::vector<double> samples(2 * kRate, 0);
+    for (int i = kRate; i < 2 * kRate; ++i)
+        samples[i] = 0.5 * std::sin(2 * std::numbers::pi * 440 * i / kRate);
+    const QString wave = folder.filePath(QStringLiteral("tone.wav"));
+    QVERIFY(writeWave(wave, samples, kRate));
     QFile player(folder.filePath(QStringLiteral("ffplay")));  // instead of the real one
     QVERIFY(player.open(QFile::WriteOnly));
     player.write("#!/bin/sh\necho \"$@\" >>\"$(dirname \"$0\")/played\"\nexec sleep 60\n");
@@ -518,7 +525,7 @@ void TestTracks::soundIsDrawnAndHeard() {
     auto& sound = *tracks().findChild<SoundTrack*>();
     const int rows = ruler().rows();
     auto& panel = *m_window->window().findChild<FilmPanel*>();
-    panel.setSound(wave.fileName());
+    panel.setSound(wave);
     QTRY_COMPARE_WITH_TIMEOUT(sound.peaks().size(), std::size_t(2 / SoundTrack::kPeriod), 20000);
     for (std::size_t i = 0; i < sound.peaks().size(); ++i)
         QVERIFY(i < 99    ? sound.peaks()[i] < 0.01F
@@ -551,6 +558,54 @@ void TestTracks::soundIsDrawnAndHeard() {
     QSignalSpy notices(&session(), &ShapeSession::notice);
     panel.setSound(folder.filePath(QStringLiteral("none.wav")));
     QTRY_COMPARE_WITH_TIMEOUT(notices.size(), 1, 20000);
+}
+
+/// Every second has a tone of its own, 400, 800 … Hz. What the player hands to the sound device, here a file,
+/// is from the time that the film plays from: the tone changes where the next second begins.
+void TestTracks::soundIsThatOfItsTime() {
+    if (QStandardPaths::findExecutable(QStringLiteral("ffplay")).isEmpty()) QFAIL("ffplay is not there");
+    constexpr int kRate = 44100, kWindow = 441;  // 10 ms
+    std::vector<double> samples(4 * kRate);
+    double phase = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = 0.5 * std::sin(phase);
+        phase += 2 * std::numbers::pi * 400 * static_cast<double>(1 + i / kRate) / kRate;
+    }
+    QTemporaryDir folder;
+    const QString wave = folder.filePath(QStringLiteral("tones.wav"));
+    QVERIFY(writeWave(wave, samples, kRate));
+    qputenv("SDL_AUDIODRIVER", "disk");
+    const auto restore = qScopeGuard([] { qunsetenv("SDL_AUDIODRIVER"), qunsetenv("SDL_DISKAUDIOFILE"); });
+    m_window->window().findChild<FilmPanel*>()->setSound(wave);
+    QVERIFY(settle(session()));
+    for (const double from : {0.7, 1.9}) {
+        const QString device = folder.filePath(QStringLiteral("device-%1").arg(from));
+        qputenv("SDL_DISKAUDIOFILE", device.toUtf8());
+        session().playback().setTime(from);
+        session().playback().setPlaying(true);
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(device).size() > 2 * kRate / 2, 20000);  // half a second
+        session().playback().setPlaying(false);
+        QFile file(device);
+        QVERIFY(file.open(QFile::ReadOnly));
+        const QByteArray heard = file.readAll();
+        const auto at = [&](qsizetype i) {
+            qint16 sample = 0;
+            std::memcpy(&sample, heard.constData() + 2 * i, 2);
+            return int{sample};
+        };
+        qsizetype first = 0;  // before it the player has nothing yet
+        while (2 * first + 2 < heard.size() && at(first) == 0) ++first;
+        std::vector<int> tones;  // of every window, by its changes of sign
+        for (qsizetype w = first; tones.size() < 40 && 2 * (w + kWindow) < heard.size(); w += kWindow) {
+            int changes = 0;
+            for (qsizetype i = w + 1; i < w + kWindow; ++i) changes += (at(i) < 0) != (at(i - 1) < 0);
+            tones.push_back(int(std::lround(changes / 8.0)));
+        }
+        QVERIFY(tones.size() >= 35);
+        const int second = int(from), until = int(std::lround(100 * (second + 1 - from)));
+        for (int w = 0; w < int(tones.size()); ++w)
+            if (std::abs(w - until) > 1) QCOMPARE(tones[w], second + (w < until ? 1 : 2));
+    }
 }
 
 QTEST_MAIN(TestTracks)

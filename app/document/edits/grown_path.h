@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// Returns the motions of a handle that grows or shrinks at an even pace, or moves every vertex by its own
+/// displacement, led through a pose at a time within it: exactly where it was plus a displacement times a
+/// factor that rises linearly in time from 0 to 1 and falls back to 0. The factor of growth is linear in
+/// time, and so are the parts of it. None for other motions, and for eased ones: a part of an easing is no
+/// easing.
+template <int Dim>
+std::vector<Motion<Dim>> ledWhileGrowing(const Motion<Dim>& motion, const Vec<Dim>& by, double time);
+
+/// Returns such a motion, eased or not, plus the displacement times a factor that goes from `first` to `last`
+/// as the motion itself does. None for other motions.
+template <int Dim>
+std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last);
+
+/// Returns one motion by what two do that follow each other, of which one at least grows and the other grows
+/// or translates; nothing for other motions.
+template <int Dim>
+std::optional<Motion<Dim>> joinedGrowth(const Motion<Dim>& before, const Motion<Dim>& after);
+
+}  // namespace wend
