@@ -30,12 +30,16 @@ class BandPainter {
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         m_shinesThrough = part == BandPart::All && (!job.source->opaque() || !job.options.blends.empty());
         if (m_shinesThrough || job.options.outside != Outside::Transparent)
-            m_cells = PixelCells(job.view.width, m_begin, m_end - m_begin);
+            m_cells = SeenCells(job.view.width, m_begin, m_end - m_begin);
+        if (m_shinesThrough) m_row.resize(static_cast<std::size_t>(job.view.width * m_channels));
     }
 
     void paint() {
-        if (m_part == BandPart::All || !m_cells.empty())
-            for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)]) paintCell(cell);
+        const std::vector<int>& cells = m_job.cellsOfBand[static_cast<std::size_t>(m_band)];
+        if (!m_cells.empty())
+            for (const int cell : std::views::reverse(cells)) paintSeen(cell);
+        else if (m_part == BandPart::All)
+            for (const int cell : cells) paintCell(cell);
         fillOutside();
         if (m_shinesThrough) resolveOverlaps();
         resolveOutline();
@@ -67,7 +71,9 @@ class BandPainter {
                high.y() * filter.shrink + reach.y() + 3 < level.height;
     }
 
-    void paintCell(int place) {
+    /// Calls visit(y, from, to) for the runs of pixels that a cell covers, after m_task was set for them.
+    template <typename Visit>
+    void forRunsOf(int place, Visit&& visit) {
         const VisibleCell& cell = m_job.cells[static_cast<std::size_t>(place)];
         m_task.level = levelOf(cell.filter);
         m_task.setCell(cell.map, cell.filter);
@@ -76,10 +82,32 @@ class BandPainter {
             m_task.begin = from, m_task.end = to;
             m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
             m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
-            if (m_part == BandPart::All) m_paintSpan(m_task, SpanOutput::Pixels, target(from, y));
-            if (!m_cells.empty()) m_cells.cover(y, from, to, place);
+            visit(y, from, to);
         });
     }
+
+    void paintCell(int place) {
+        forRunsOf(place,
+                  [&](int y, int from, int) { m_paintSpan(m_task, SpanOutput::Pixels, target(from, y)); });
+    }
+
+    /// Paints what is seen of a cell, which is behind those that were painted before.
+    void paintSeen(int place) {
+        const bool mayHide = m_job.cells[static_cast<std::size_t>(place)].blend == BlendMode::Normal;
+        forRunsOf(place, [&](int y, int from, int to) {
+            m_cells.add(y, from, to, place, [&](int begin, int end, bool isFirst) {
+                T* const pixels = isFirst ? target(begin, y) : m_row.data();
+                m_task.begin = begin, m_task.end = end;
+                if (m_part == BandPart::All) m_paintSpan(m_task, SpanOutput::Pixels, pixels);
+                const T* const alpha = pixels + m_channels - 1;
+                return [=, this](int x) {
+                    return !m_shinesThrough || (mayHide && isFull(alpha[(x - begin) * m_channels]));
+                };
+            });
+        });
+    }
+
+    static bool isFull(T alpha) { return !(static_cast<float>(alpha) < kFull<T>); }
 
     bool innerSpan(const VisibleCell& cell, int y) const {
         const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5));
@@ -140,10 +168,9 @@ class BandPainter {
     /// The strip came with zeros: transparent.
     void fillOutside() {
         if (m_job.options.outside == Outside::Transparent) return;
-        const int* cell = m_cells.onTop().data();
-        for (int y = m_begin; y < m_end; ++y)
-            for (int x = 0; x < m_job.view.width; ++x)
-                if (*cell++ < 0) putOut(outsideColour(x, y), target(x, y));
+        for (int y = m_begin, pixel = 0; y < m_end; ++y)
+            for (int x = 0; x < m_job.view.width; ++x, ++pixel)
+                if (!m_cells.covers(pixel)) putOut(outsideColour(x, y), target(x, y));
     }
 
     // --- cells over cells
@@ -157,7 +184,7 @@ class BandPainter {
         layers.put(sample(cell.map, cell.filter, x, y), places);
     }
 
-    /// The cells' colours were painted over one another; where the last one is not opaque, the others show.
+    /// The front cell's colour was painted; where it is not opaque, the others show.
     void resolveOverlaps() {
         m_cells.forOverlaps([&](int pixel, std::span<const int> cells) {
             const int x = pixel % m_job.view.width, y = m_begin + pixel / m_job.view.width;
@@ -167,7 +194,7 @@ class BandPainter {
                 for (const int cell : std::views::reverse(cells)) blend(cell, x, y, Layers::kAll, seen);
                 return putOut(seen.colour(), to);
             }
-            if (!(static_cast<float>(to[m_channels - 1]) < kFull<T>)) return;
+            if (isFull(to[m_channels - 1])) return;
             Layers seen = layers();
             for (int cell : cells) put(cell, x, y, Layers::kAll, seen);
             putOut(seen.colour(), to);
@@ -254,7 +281,8 @@ class BandPainter {
     PaintSpan m_paintSpan;
     SpanTask m_task;
     std::vector<TexelLevel> m_levels;
-    PixelCells m_cells;  // if some of them show through others, or the outside is not transparent
+    SeenCells m_cells;     // if some of them show through others, or the outside is not transparent
+    std::vector<T> m_row;  // colours of which only the opacity counts
 };
 
 template <typename T>

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -178,6 +179,13 @@ class BodyTree {
         std::vector<int> places;
         for (const int node : m_nodeOf) places.push_back(m_nodes[node].place);
         return places;
+    }
+    /// Returns the position of what each of them grows from, by its own; −1 for a body. After places().
+    std::vector<int> parents() const {
+        std::vector<int> parents(m_nodes.size(), -1);
+        for (const Node& node : m_nodes)
+            if (node.parent >= 0) parents[node.place] = m_nodes[node.parent].place;
+        return parents;
     }
 
   private:
@@ -364,7 +372,9 @@ class LimbTree {
             if (m_graph.component(cell) == cell) first.emplace_back(cell, limbAt(cell));
         for (int limb = 0; limb < static_cast<int>(m_limbs.size()); ++limb)
             if (m_limbs[limb].parent >= 0) growing[m_limbs[limb].parent].push_back(limb);
-        std::vector<int> place(m_limbs.size()), next;
+        std::vector<int>& place = m_places;
+        std::vector<int> next;
+        place.resize(m_limbs.size());
         for (auto it = first.rbegin(); it != first.rend(); ++it) next.push_back(it->second);
         for (int k = 0; !next.empty(); ++k) {
             const int limb = next.back();
@@ -376,6 +386,14 @@ class LimbTree {
         std::vector<int> places;
         for (const int limb : m_limbOf) places.push_back(place[resolved(limb)]);
         return places;
+    }
+    /// Returns the position of the limb that each one grows from, by its own; −1 for none. After places().
+    std::vector<int> parents() const {
+        std::vector<int> parents(m_limbs.size(), -1);
+        for (const Limb& limb : m_limbs)
+            if (limb.partOf < 0 && limb.parent >= 0)
+                parents[m_places[&limb - m_limbs.data()]] = m_places[resolved(limb.parent)];
+        return parents;
     }
 
   private:
@@ -424,6 +442,97 @@ class LimbTree {
     std::vector<int> m_limbOf;       // of each cell
     std::vector<int> m_current;      // of each set
     std::vector<double> m_farthest;  // of each component
+    std::vector<int> m_places;       // of each limb
+};
+
+/// Finds what belongs to a limb of a body's cells. Of legs that are hardly thinner than the hips, discs cover
+/// all but the feet: the body forks there.
+class Prongs {
+  public:
+    /// `bodies` and `branches` are positions of BodyTree and LimbTree.
+    Prongs(const CellGraph& graph, const std::vector<double>& depths, const std::vector<double>& reach,
+           const std::vector<int>& bodies, const std::vector<int>& bodyParents,
+           const std::vector<int>& branches, const std::vector<int>& branchParents)
+        : m_bodies(bodies), m_branches(branches), m_parents(branchParents) {
+        std::map<int, double> deepest;  // of each body
+        for (int c = 0; c < graph.count(); ++c) {
+            double& most = deepest[bodies[c]];
+            most = std::max(most, depths[c]);
+            measure(bodies[c], branches[c], reach[c]);
+        }
+        for (int c = 0; c < graph.count(); ++c) measureEnd(bodies[c], branches[c], reach[c], depths[c]);
+        findLong(deepest);
+        for (int c = 0; c < graph.count(); ++c)
+            for (const CellGraph::Neighbour& next : graph.neighbours(c))
+                if (bodyParents[bodies[c]] == bodies[next.cell])
+                    m_limbs[{bodies[next.cell], prongOf(bodies[next.cell], branches[next.cell])}].insert(
+                        bodies[c]);
+        keepForks();
+    }
+
+    /// Returns the position of the limb that a cell of a body belongs to, or that of its body.
+    int placeOf(int cell) const {
+        const int prong = prongOf(m_bodies[cell], m_branches[cell]);
+        const auto limbs = m_limbs.find({m_bodies[cell], prong});
+        return prong < 0 || limbs == m_limbs.end() ? m_bodies[cell] : *limbs->second.begin();
+    }
+
+  private:
+    static constexpr double kLong = 2,
+                            kThin = 0.85;  // depths of the body: of a prong's length and half width
+    struct Span {
+        double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+        double depth = 0;  // in the farther half
+        double length() const { return farthest - nearest; }
+    };
+    using BodyAndBranch = std::pair<int, int>;
+
+    void measure(int body, int branch, double reach) {
+        double& nearest = m_spans[{body, branch}].nearest;
+        nearest = std::min(nearest, reach);
+        for (; branch >= 0; branch = m_parents[branch]) {
+            double& farthest = m_spans[{body, branch}].farthest;
+            farthest = std::max(farthest, reach);
+        }
+    }
+
+    void measureEnd(int body, int branch, double reach, double depth) {
+        for (; branch >= 0; branch = m_parents[branch]) {
+            Span& own = m_spans[{body, branch}];
+            if (reach > own.nearest + own.length() / 2) own.depth = std::max(own.depth, depth);
+        }
+    }
+
+    /// Prongs are long within the body, and thinner …
+    void findLong(const std::map<int, double>& deepest) {
+        for (const auto& [of, span] : m_spans)
+            if (const double depth = deepest.at(of.first);
+                m_parents[of.second] >= 0 && span.length() > kLong * depth && span.depth < kThin * depth)
+                m_prongs.insert(of);
+    }
+    /// … two or more grow from the same branch, and each ends in one limb, unlike a chest.
+    void keepForks() {
+        std::map<BodyAndBranch, std::vector<BodyAndBranch>> forks;
+        for (const BodyAndBranch& prong : m_prongs) {
+            const auto limbs = m_limbs.find(prong);
+            if (limbs == m_limbs.end() || limbs->second.size() == 1)
+                forks[{prong.first, m_parents[prong.second]}].push_back(prong);
+        }
+        m_prongs.clear();
+        for (const auto& [from, prongs] : forks)
+            if (prongs.size() > 1) m_prongs.insert(prongs.begin(), prongs.end());
+    }
+
+    /// Returns the prong of a body that a branch belongs to; −1 for none.
+    int prongOf(int body, int branch) const {
+        while (branch >= 0 && !m_prongs.contains({body, branch})) branch = m_parents[branch];
+        return branch;
+    }
+
+    const std::vector<int>&m_bodies, &m_branches, &m_parents;
+    std::map<BodyAndBranch, Span> m_spans;  // within a body, of a branch and what grows from it
+    std::set<BodyAndBranch> m_prongs;
+    std::map<BodyAndBranch, std::set<int>> m_limbs;  // that grow from a prong
 };
 
 }  // namespace
@@ -431,10 +540,13 @@ class LimbTree {
 std::vector<int> limbOrder(const SimplicialMesh<2>& mesh) {
     CellGraph graph(mesh);
     const std::vector<double> depths = graph.depths(), reach = graph.distances(graph.middles(depths));
-    const std::vector<int> bodies = BodyTree(graph, depths, reach).places(),
-                           branches = LimbTree(graph, reach).places();
+    BodyTree bodyTree(graph, depths, reach);
+    LimbTree limbTree(graph, reach);
+    const std::vector<int> bodies = bodyTree.places(), branches = limbTree.places(),
+                           bodyParents = bodyTree.parents(), branchParents = limbTree.parents();
+    const Prongs prongs(graph, depths, reach, bodies, bodyParents, branches, branchParents);
     std::vector<std::tuple<int, int, double, int>> keys;
-    for (int c = 0; c < graph.count(); ++c) keys.emplace_back(bodies[c], branches[c], reach[c], c);
+    for (int c = 0; c < graph.count(); ++c) keys.emplace_back(prongs.placeOf(c), branches[c], reach[c], c);
     std::ranges::sort(keys);
     std::vector<int> place(keys.size());
     for (int k = 0; k < graph.count(); ++k) place[std::get<3>(keys[k])] = k;

@@ -81,14 +81,15 @@ struct Figure {
         }
         return {{loop}};
     }
-    /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints.
+    /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints and at the shoulders,
+    /// which may belong to the trunk or to an arm.
     QChar part(const Vec<2>& p) const {
-        const double slack = 0.6 * armWidth;
+        const double slack = std::max(0.9 * armWidth, 0.4 * trunkWidth), x = std::abs(p.x());
         if (p.y() < -8) return 'h';
-        if (std::abs(p.x()) > trunkWidth + slack && p.y() < shoulder() + 2 * armWidth)
-            return p.x() < 0 ? 'l' : 'r';
-        if (p.y() > trunkLength + legWidth) return p.x() < 0 ? 'm' : 'n';
-        return std::abs(p.x()) < trunkWidth - slack / 2 && p.y() > 12 && p.y() < trunkLength - 12 ? 'b' : ' ';
+        if (x > trunkWidth + slack && p.y() < shoulder() + 2 * armWidth) return p.x() < 0 ? 'l' : 'r';
+        if (p.y() > trunkLength + std::max(legWidth, 0.6 * trunkWidth)) return p.x() < 0 ? 'm' : 'n';
+        const double side = p.y() < shoulder() + armWidth + slack ? slack : 0.3 * armWidth;
+        return x < trunkWidth - side && p.y() > shoulder() && p.y() < trunkLength - 12 ? 'b' : ' ';
     }
 };
 
@@ -182,6 +183,22 @@ void TestLimbOrder::limbsOfFiguresLieWhole_data() {
     for (double legs : {40.0, 140.0, 240.0})
         for (double width : {11.0, 15.0, 18.0}) row({.armWidth = 13, .legLength = legs, .legWidth = width});
     for (int vertices : {200, 400, 1500}) row({.vertices = vertices});
+    std::mt19937 random(7);
+    const auto between = [&random](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / std::mt19937::max();
+    };
+    for (int k = 0; k < 47; ++k) {
+        Figure f;
+        f.trunkWidth = between(20, 60);
+        f.trunkLength = between(3, 6) * f.trunkWidth;
+        f.head = between(0.8, 2) * f.trunkWidth;
+        f.armLength = between(1.5, 8) * f.trunkWidth;
+        f.armWidth = between(0.25, 0.5) * f.trunkWidth;
+        f.legLength = between(1.5, 6) * f.trunkWidth;
+        f.legWidth = between(0.3, 0.5) * f.trunkWidth;
+        f.vertices = static_cast<int>(between(400, 1500));
+        row(f);
+    }
 }
 
 /// Arms lie over head and trunk, and over thicker legs; any two places of one limb lie on the same side of

@@ -48,6 +48,7 @@ class TestLayeredFiles : public QObject {
     void greyLayers();
     void pagesAreFlattened();
     void groupsAreLayers();
+    void drawingsAreComposited();
     void damagedDrawings();
     void layersOfOtherKinds();
     void lzf();
@@ -319,6 +320,44 @@ void TestLayeredFiles::groupsAreLayers() {
     QCOMPARE(colour(ghost, 10, 10), (std::array{128, 128, 128, 255}));
     QCOMPARE(colour(image, 600, 200), (std::array{0, 255, 0, 255}));
     QCOMPARE(colour(image, 170, 40)[3], 0);  // hidden
+}
+
+/// The opacity of a group holds for all that is in it at once, also within another one; clip paths and masks
+/// are applied in their elements' coordinates; style sheets may ask for either. What comes before and after
+/// keeps its place in the order.
+void TestLayeredFiles::drawingsAreComposited() {
+    const std::string path = written("composited.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     width="128" height="32" viewBox="0 0 128 32"><style>.cut { clip-path: url(#disc) }</style>
+<defs><clipPath id="disc" transform="translate(2 0)"><circle cx="10" cy="16" r="8" fill="none"/></clipPath>
+<mask id="half"><rect width="8" height="32" fill="#fff"/><rect x="8" width="8" height="32" fill="#fff" opacity=".5"/></mask></defs>
+<rect width="4" height="4" fill="#00f"/>
+<g opacity=".5"><rect x="2" y="2" width="10" height="10" fill="#f00"/><g opacity=".5"><rect x="6" y="6" width="10" height="10" fill="#0f0"/>
+<rect x="8" y="8" width="10" height="10" fill="#0f0"/></g></g>
+<g transform="translate(32 0)"><rect class="cut" width="24" height="32" fill="#f0f"/></g>
+<g transform="translate(64 0)" mask="url(#half)"><rect width="24" height="32" fill="#ff0"/></g>
+<rect x="2" y="2" width="2" height="2" fill="#000"/></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto isAt = [&](double x, double y, const std::array<int, 4>& colour) {
+        for (int c = 0; c < 4; ++c) {
+            const int seen = sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), c);
+            const bool counts = c == 3 || colour[3] > 0;
+            if (counts && std::abs(seen - colour[static_cast<std::size_t>(c)]) > 3) return false;
+        }
+        return true;
+    };
+    QVERIFY(isAt(4.5, 4.5, {255, 0, 0, 128}));
+    QVERIFY(isAt(2.5, 5, {255, 0, 0, 128}));
+    QVERIFY(isAt(3.5, 1, {0, 0, 255, 255}));
+    QVERIFY(isAt(3, 3, {0, 0, 0, 255}));        // drawn last
+    QVERIFY(isAt(17, 17, {0, 255, 0, 64}));     // both opacities
+    QVERIFY(isAt(13, 13, {0, 255, 0, 64}));     // of both rectangles
+    QVERIFY(isAt(10, 10, {128, 128, 0, 128}));  // over the red one, within the group
+    QVERIFY(isAt(44, 16, {255, 0, 255, 255}));
+    QVERIFY(isAt(44 + 7.7, 16, {255, 0, 255, 255}) && isAt(44 - 8.4, 16, {0, 0, 0, 0}));
+    QVERIFY(isAt(44 + 6, 16 + 6, {0, 0, 0, 0}));
+    QVERIFY(isAt(66, 20, {255, 255, 0, 255}) && isAt(76, 20, {255, 255, 0, 128}));
+    QVERIFY(isAt(84, 20, {0, 0, 0, 0}));
 }
 
 void TestLayeredFiles::damagedDrawings() {

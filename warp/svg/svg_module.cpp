@@ -3,7 +3,6 @@
 #include <QBuffer>
 #include <QGuiApplication>
 #include <QImage>
-#include <QPainter>
 #include <QSvgRenderer>
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 
 #include "core/mesh/error.h"
 #include "warp/layered_file.h"
+#include "warp/svg/svg_painter.h"
 #include "warp/svg/vector_maker.h"
 #include "warp/svg_layers.h"
 
@@ -127,7 +127,7 @@ class SvgDrawing {
 
     /// Returns all of it.
     DrawnSvg drawn() const {
-        DrawnSvg result{layers(), pngOf(picture(textOf(m_document)))};
+        DrawnSvg result{layers(), pngOf(paintedSvg(m_document, m_size))};
         for (std::size_t k = 0; k < m_layers.size(); ++k) {
             const QRect seen = seenOf(pictureOf(k));
             PictureLayer& layer = result.layers[k];
@@ -177,22 +177,11 @@ class SvgDrawing {
         return buffer.data().toStdString();
     }
 
-    QImage picture(const std::string& svg) const {
-        QSvgRenderer renderer(bytesOf(svg));
-        QImage image(m_size, QImage::Format_RGBA8888_Premultiplied);
-        if (image.isNull()) throw std::bad_alloc();
-        image.fill(Qt::transparent);
-        QPainter painter(&image);
-        painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-        renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
-        return image;
-    }
-
     /// Draws one layer within the groups that it is in.
     QImage pictureOf(std::size_t layer) const {
         pugi::xml_document alone;
         keepAlone(layer, alone);
-        return picture(textOf(alone));
+        return paintedSvg(alone, m_size);
     }
     void keepAlone(std::size_t layer, pugi::xml_document& alone) const {
         alone.reset(m_document);

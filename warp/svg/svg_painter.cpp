@@ -1,0 +1,220 @@
+#include "warp/svg/svg_painter.h"
+
+#include <QPainter>
+#include <QSvgRenderer>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "warp/svg/svg_style.h"
+#include "warp/svg/vector_maker.h"
+
+namespace wend {
+namespace {
+
+constexpr int kMostLayers = 200;  // composited of one drawing: each is drawn in full size
+constexpr int kDeepest = 12;      // layers within layers
+constexpr const char* kMark = "data-wend-layer";
+
+/// Removes a property, wherever the element says it.
+void removeProperty(pugi::xml_node node, const char* name) {
+    node.remove_attribute(name);
+    const std::string style = node.attribute("style").value();
+    std::string rest;
+    for (std::size_t at = 0; at < style.size();) {
+        const std::size_t end = std::min(style.find(';', at), style.size());
+        const std::string one = style.substr(at, end - at);
+        if (trimmed(one.substr(0, one.find(':'))) != name) rest += one + ';';
+        at = end + 1;
+    }
+    if (node.attribute("style")) node.attribute("style").set_value(rest.c_str());
+}
+
+pugi::xml_node markedIn(const pugi::xml_node& document) {
+    return document.find_node([](const pugi::xml_node& node) { return bool(node.attribute(kMark)); });
+}
+
+/// Returns the element that a property of another one refers to; none if it is of another kind, or in units
+/// of a box.
+pugi::xml_node referred(const pugi::xml_node& from, const std::string& value, const char* kind,
+                        const char* units) {
+    const std::string id = idInUrl(value);
+    if (id.empty()) return {};
+    const pugi::xml_node found = from.root().find_node([&](const pugi::xml_node& node) {
+        return std::string_view(node.name()) == kind && id == node.attribute("id").value();
+    });
+    const bool isOfBox = std::string_view(found.attribute(units).value()) == "objectBoundingBox";
+    return isOfBox ? pugi::xml_node() : found;
+}
+
+pugi::xml_node clipOf(const pugi::xml_node& node) {
+    return referred(node, valueOf(styleOf(node, {}), "clip-path"), "clipPath", "clipPathUnits");
+}
+
+pugi::xml_node maskOf(const pugi::xml_node& node) {
+    return referred(node, valueOf(styleOf(node, {}), "mask"), "mask", "maskContentUnits");
+}
+
+double opacityOf(const pugi::xml_node& node) {
+    const std::string value = valueOf(styleOf(node, {}), "opacity", "1");
+    const double number = std::strtod(value.c_str(), nullptr);
+    return std::clamp(value.ends_with('%') ? number / 100 : number, 0.0, 1.0);
+}
+
+/// Returns whether an element has several shapes, or one with a stroke, which lie over one another.
+bool mayOverlap(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    if (name == "use" || name == "text") return true;
+    int drawn = 0;
+    for (const pugi::xml_node& child : node.children())
+        if (isDrawn(child) && (++drawn > 1 || mayOverlap(child))) return true;
+    return valueOf(styleOf(node, {}), "stroke", "none") != "none";
+}
+
+bool isLayer(const pugi::xml_node& node) {
+    return clipOf(node) || maskOf(node) || (opacityOf(node) < 1 && mayOverlap(node));
+}
+
+/// Finds the first element that is composited, in the order of the drawing.
+pugi::xml_node firstLayer(const pugi::xml_node& parent) {
+    for (const pugi::xml_node& node : parent.children()) {
+        if (!isDrawn(node)) continue;
+        if (isLayer(node)) return node;
+        if (const pugi::xml_node found = firstLayer(node)) return found;
+    }
+    return {};
+}
+
+enum class Side { Before, After };
+
+/// Removes what is drawn on a side of an element, all the way up; definitions stay.
+void removeSide(pugi::xml_node node, Side side) {
+    const auto next = [side](const pugi::xml_node& one) {
+        return side == Side::Before ? one.previous_sibling() : one.next_sibling();
+    };
+    for (; node.parent(); node = node.parent())
+        for (pugi::xml_node other = next(node), then; other; other = then) {
+            then = next(other);
+            if (isDrawn(other)) node.parent().remove_child(other);
+        }
+}
+
+/// Puts the content of a clip path or a mask in the place of the marked element.
+void replaceByContent(const pugi::xml_node& node, const pugi::xml_node& content, bool clips) {
+    pugi::xml_node place = node.parent().insert_child_before("g", node);
+    place.append_attribute("transform") = node.attribute("transform").value();
+    pugi::xml_node inner = place.append_child("g");
+    inner.append_attribute("transform") = clips ? content.attribute("transform").value() : "";
+    inner.append_attribute("style") = "fill:#000;stroke:none;fill-opacity:1;fill-rule:nonzero";
+    for (const pugi::xml_node& child : content.children()) {
+        pugi::xml_node copy = inner.append_copy(child);
+        if (!clips) continue;
+        const std::string rule = valueOf(styleOf(child, styleOf(content, {})), "clip-rule");
+        for (const char* paint : {"fill", "stroke", "fill-opacity", "opacity", "fill-rule"})
+            removeProperty(copy, paint);
+        if (!rule.empty()) copy.append_attribute("fill-rule") = rule.c_str();
+    }
+    removeSide(node, Side::After);
+    removeSide(place, Side::Before);
+    node.parent().remove_child(node);
+}
+
+/// Draws documents, which it changes.
+class SvgPainter {
+  public:
+    explicit SvgPainter(const QSize& size) : m_size(size) {}
+
+    QImage painted(pugi::xml_document& document, int depth = 0) {
+        QImage image(m_size, QImage::Format_RGBA8888_Premultiplied);
+        if (image.isNull()) throw std::bad_alloc();
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+        while (depth < kDeepest && m_layers < kMostLayers) {
+            pugi::xml_node layer = firstLayer(document.document_element());
+            if (!layer) break;
+            ++m_layers;
+            layer.append_attribute(kMark) = "";
+            pugi::xml_document before;
+            before.reset(document);
+            const pugi::xml_node marked = markedIn(before);
+            removeSide(marked, Side::After);
+            marked.parent().remove_child(marked);
+            plain(before, painter);
+            painter.drawImage(0, 0, layerOf(document, depth));
+            removeSide(layer, Side::Before);
+            layer.parent().remove_child(layer);
+        }
+        plain(document, painter);
+        return image;
+    }
+
+  private:
+    void plain(const pugi::xml_document& document, QPainter& painter) const {
+        const std::string text = textOf(document);
+        QSvgRenderer renderer(QByteArray(text.data(), static_cast<qsizetype>(text.size())));
+        renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
+    }
+
+    /// Draws the marked element of a document as one picture.
+    QImage layerOf(const pugi::xml_document& document, int depth) {
+        pugi::xml_document own;
+        own.reset(document);
+        pugi::xml_node node = markedIn(own);
+        const double opacity = opacityOf(node);
+        const bool isClipped(clipOf(node)), isMasked(maskOf(node));
+        node.remove_attribute(kMark);
+        for (const char* name : {"opacity", "clip-path", "mask"}) removeProperty(node, name);
+        for (const Side side : {Side::Before, Side::After}) removeSide(node, side);
+        QImage image = painted(own, depth + 1);
+        QImage clip = isClipped ? contentOf(document, true, depth) : QImage(),
+               mask = isMasked ? contentOf(document, false, depth) : QImage();
+        const bool byAlpha = valueOf(styleOf(maskOf(markedIn(document)), {}), "mask-type") == "alpha";
+        for (int y = 0; y < image.height(); ++y) {
+            using Pixel = std::array<uchar, 4>;
+            auto* row = reinterpret_cast<Pixel*>(image.scanLine(y));
+            const auto* by = isClipped ? reinterpret_cast<const Pixel*>(clip.constScanLine(y)) : nullptr;
+            const auto* through = isMasked ? reinterpret_cast<const Pixel*>(mask.constScanLine(y)) : nullptr;
+            for (int x = 0; x < image.width(); ++x) {
+                double factor = opacity;
+                if (by) factor *= by[x][3] / 255.0;
+                if (through) factor *= (byAlpha ? through[x][3] : lightnessOf(through[x])) / 255.0;
+                for (uchar& number : row[x]) number = static_cast<uchar>(number * factor + 0.5);
+            }
+        }
+        return image;
+    }
+
+    /// Returns the luminance of a premultiplied pixel.
+    static double lightnessOf(const std::array<uchar, 4>& pixel) {
+        return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
+    }
+
+    /// Draws what clips or masks the marked element.
+    QImage contentOf(const pugi::xml_document& document, bool clips, int depth) {
+        pugi::xml_document own;
+        own.reset(document);
+        const pugi::xml_node node = markedIn(own);
+        replaceByContent(node, clips ? clipOf(node) : maskOf(node), clips);
+        return painted(own, depth + 1);
+    }
+
+    QSize m_size;
+    int m_layers = 0;
+};
+
+}  // namespace
+
+QImage paintedSvg(const pugi::xml_document& drawing, const QSize& size) {
+    pugi::xml_document document;
+    document.reset(drawing);
+    resolveStyleSheets(document);
+    const bool isPlain = !firstLayer(document.document_element());
+    if (isPlain) document.reset(drawing);  // Qt's library reads style sheets itself
+    return SvgPainter(size).painted(document);
+}
+
+}  // namespace wend
