@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/system/memory.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/memory.h"
 
 namespace wend {
 

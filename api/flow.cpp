@@ -5,7 +5,7 @@
 
 #include "api/flow_impl.h"
 #include "api/handle_values.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/reach.h"
 
 namespace wend {

@@ -1,7 +1,7 @@
 #include "wend/warp.h"
 
 #include "api/boundary.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/image.h"
 #include "warp/outline.h"

@@ -3,8 +3,8 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/terminal.h"
-#include "app/view/run_window.h"
-#include "core/system/simd_target.h"
+#include "app/window/run_window.h"
+#include "core/base/simd_target.h"
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"
 

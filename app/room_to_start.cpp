@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "core/system/address_room.h"
+#include "core/base/address_room.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "bench/solver_rows.h"
 #include "bench/warp_rows.h"
 #include "bench/window_rows.h"
-#include "core/mesh/error.h"
-#include "core/system/simd_target.h"
+#include "core/base/error.h"
+#include "core/base/simd_target.h"
 
 namespace wend {
 namespace {

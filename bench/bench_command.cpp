@@ -7,10 +7,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
-#include "app/document/file/text_file.h"
-#include "app/session/run/output_set.h"
+#include "app/output/output_set.h"
+#include "app/project/file/text_file.h"
 #include "bench/bench.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/view/canvas/render_thread.h"
+#include "app/views/canvas/render_thread.h"
 #include "bench/test_picture.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/energy/distortion.h"

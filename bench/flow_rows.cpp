@@ -3,8 +3,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/base/error.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 
 namespace wend {
 namespace {

@@ -6,10 +6,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/large_array.h"
+#include "core/base/simd_target.h"
 #include "core/factor/cholesky.h"
 #include "core/factor/dense_kernels.h"
-#include "core/system/large_array.h"
-#include "core/system/simd_target.h"
 
 namespace wend {
 namespace {

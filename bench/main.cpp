@@ -4,7 +4,7 @@
 #include "app/cli/guarded.h"
 #include "app/cli/terminal.h"
 #include "bench/bench_command.h"
-#include "core/system/simd_target.h"
+#include "core/base/simd_target.h"
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"
 

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <map>
 
-#include "app/document/file/json_text.h"
-#include "app/document/file/named_files.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/file/text_file.h"
-#include "app/session/run/run.h"
+#include "app/output/run.h"
+#include "app/project/file/json_text.h"
+#include "app/project/file/named_files.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/text_file.h"
 #include "bench/body.h"
 #include "bench/flow_rows.h"
 #include "bench/paper_scenes.h"
+#include "core/base/error.h"
+#include "core/base/temporary_folder.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
-#include "core/mesh/temporary_folder.h"
 
 namespace wend {
 namespace {

@@ -1,10 +1,10 @@
 #include "bench/solver_rows.h"
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/error.h"
 #include "core/factor/cholesky.h"
 #include "core/factor/supernodal_factor.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 #include "core/solver/reduced_system.h"
 #include "core/solver/velocity_solver.h"
 #include "kernels/back_end_choice.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "app/document/file/json_text.h"
+#include "app/project/file/json_text.h"
 
 namespace wend {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/session/shape_session.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

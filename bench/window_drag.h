@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/session/motion/frame.h"
+#include "app/engine/motion/frame.h"
 
 class QWidget;
 

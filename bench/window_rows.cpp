@@ -14,17 +14,17 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/view/actions/toolbox.h"
-#include "app/view/canvas/canvas.h"
-#include "app/view/main_window.h"
-#include "app/view/solid_workshop.h"
-#include "app/view/volume/solid_canvas.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/views/canvas/canvas.h"
+#include "app/views/volume/solid_canvas.h"
+#include "app/window/actions/toolbox.h"
+#include "app/window/main_window.h"
+#include "app/window/solid_workshop.h"
 #include "bench/body.h"
 #include "bench/test_picture.h"
 #include "bench/window_drag.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_of_file.h"
 
 namespace wend {

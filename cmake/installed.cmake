@@ -1,5 +1,5 @@
-# What `cmake --install` puts where. The program finds all of it from its own place (core/mesh/child_process.cpp,
-# app/session/program_files.cpp): the folder can be moved, and the sources may go. Components are the packages of
+# What `cmake --install` puts where. The program finds all of it from its own place (core/base/child_process.cpp,
+# app/base/program_files.cpp): the folder can be moved, and the sources may go. Components are the packages of
 # cmake/packages.cmake; what libwend and the Python module start, too, goes with libwend.
 include(GNUInstallDirs)
 set(resources ${PROJECT_SOURCE_DIR}/resources)

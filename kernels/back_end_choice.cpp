@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "kernels/opencl_back_end.h"
 #include "kernels/opencl_distortion.h"
 #include "kernels/opencl_warp.h"

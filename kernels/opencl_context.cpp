@@ -7,8 +7,8 @@
 #include <iterator>
 #include <mutex>
 
-#include "core/mesh/error.h"
-#include "core/mesh/safe_file.h"
+#include "core/base/error.h"
+#include "core/base/safe_file.h"
 #include "kernels/kernel_sources.h"
 
 namespace wend {

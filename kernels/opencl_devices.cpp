@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/mesh/child_process.h"
+#include "core/base/child_process.h"
 
 namespace wend {
 namespace {

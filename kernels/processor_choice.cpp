@@ -1,8 +1,8 @@
 // The choice of a back end in a build without OpenCL: the processor.
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/error.h"
 #include "core/energy/distortion.h"
-#include "core/mesh/error.h"
 #include "kernels/back_end_choice.h"
 
 namespace wend {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/convert.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 #include "warp/blend_mode.h"
 #include "warp/image.h"
 

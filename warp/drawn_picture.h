@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "warp/image.h"
 #include "warp/vector_drawing.h"
 

@@ -6,12 +6,12 @@
 #include <span>
 #include <sstream>
 
-#include "core/mesh/error.h"
-#include "core/mesh/fed_process.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/number_text.h"
-#include "core/mesh/printable.h"
-#include "core/system/memory.h"
+#include "core/base/error.h"
+#include "core/base/fed_process.h"
+#include "core/base/input_file.h"
+#include "core/base/memory.h"
+#include "core/base/number_text.h"
+#include "core/base/printable.h"
 
 namespace wend {
 namespace {

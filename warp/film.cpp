@@ -1,6 +1,6 @@
 #include "warp/film.h"
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/convert.h"
 #include "warp/ffmpeg_film.h"
 #include "warp/film_format.h"

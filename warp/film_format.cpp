@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/mesh/error.h"
-#include "core/mesh/fed_process.h"
-#include "core/mesh/file_name.h"
+#include "core/base/error.h"
+#include "core/base/fed_process.h"
+#include "core/base/file_name.h"
 
 namespace wend {
 namespace {

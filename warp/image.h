@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 
 namespace wend {
 

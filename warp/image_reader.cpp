@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <tuple>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "warp/atlas.h"
 #include "warp/drawn_picture.h"
 #include "warp/image.h"

@@ -4,9 +4,9 @@
 #include <future>
 #include <string_view>
 
-#include "core/mesh/error.h"
-#include "core/mesh/file_name.h"
-#include "core/mesh/safe_file.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/base/safe_file.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"
 #include "warp/picture_library.h"

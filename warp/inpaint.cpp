@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 
-#include "core/mesh/error.h"
-#include "core/mesh/fed_process.h"
-#include "core/mesh/printable.h"
-#include "core/mesh/temporary_folder.h"
+#include "core/base/error.h"
+#include "core/base/fed_process.h"
+#include "core/base/printable.h"
+#include "core/base/temporary_folder.h"
 
 namespace wend {
 namespace {

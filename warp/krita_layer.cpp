@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/krita_pixels.h"
 #include "warp/png_bytes.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/zip_archive.h"
+#include "core/base/zip_archive.h"
 #include "warp/picture_metadata.h"
 
 namespace wend {

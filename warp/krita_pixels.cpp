@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

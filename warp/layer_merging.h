@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
 #include "warp/picture_metadata.h"

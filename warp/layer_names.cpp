@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/layered_file.h"
 
 namespace wend {

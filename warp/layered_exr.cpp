@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cstring>
 
-#include "core/mesh/error.h"
-#include "core/mesh/safe_file.h"
+#include "core/base/error.h"
+#include "core/base/safe_file.h"
 #include "warp/convert.h"
 #include "warp/layered_file.h"
 #include "warp/picture_library.h"

@@ -5,8 +5,8 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "core/mesh/error.h"
-#include "core/mesh/zip_archive.h"
+#include "core/base/error.h"
+#include "core/base/zip_archive.h"
 #include "warp/blend_mode.h"
 #include "warp/byte_numbers.h"
 #include "warp/krita_layer.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/picture_format.h"
 
 namespace wend {

@@ -8,9 +8,9 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/temporary_folder.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/temporary_folder.h"
 #include "warp/convert.h"
 
 namespace wend {

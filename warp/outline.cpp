@@ -6,7 +6,7 @@
 #include <cstring>
 #include <functional>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/segments.h"
 #include "core/meshing/outline_simplify.h"
 #include "warp/outline_contour.h"

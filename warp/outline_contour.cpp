@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "core/mesh/error.h"
-#include "core/mesh/file_name.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
 #include "core/mesh/mesh_of_file.h"
 #include "warp/tga_check.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 
 namespace wend {
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
-#include "core/system/address_room.h"
+#include "core/base/address_room.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "warp/colour_space.h"
 #include "warp/film.h"
 #include "warp/image.h"

@@ -6,10 +6,10 @@
 #include <new>
 #include <string>
 
-#include "core/mesh/child_link.h"
-#include "core/mesh/child_parts.h"
-#include "core/mesh/error.h"
-#include "core/mesh/helper_program.h"
+#include "core/base/child_link.h"
+#include "core/base/child_parts.h"
+#include "core/base/error.h"
+#include "core/base/helper_program.h"
 #include "warp/picture_protocol.h"
 #include "warp/picture_source.h"
 

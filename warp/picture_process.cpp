@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <mutex>
 
-#include "core/mesh/child_link.h"
-#include "core/mesh/child_parts.h"
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/number_text.h"
-#include "core/system/address_room.h"
+#include "core/base/address_room.h"
+#include "core/base/child_link.h"
+#include "core/base/child_parts.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/number_text.h"
 #include "warp/picture_protocol.h"
 
 namespace wend {

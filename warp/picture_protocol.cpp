@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/mesh/error.h"
-#include "core/mesh/printable.h"
+#include "core/base/error.h"
+#include "core/base/printable.h"
 
 namespace wend {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/bmp_check.h"
 #include "warp/layered_file.h"
 #include "warp/metadata_check.h"

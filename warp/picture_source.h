@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "warp/picture_library.h"
 #include "warp/vector_drawing.h"
 

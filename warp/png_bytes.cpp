@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/byte_numbers.h"
 
 namespace wend {

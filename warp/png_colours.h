@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/colour_space.h"
 
 namespace wend {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/byte_numbers.h"
 #include "warp/png_bytes.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/layered_file.h"
 
 namespace wend {

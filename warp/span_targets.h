@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/system/highway_targets.h"
+#include "core/base/highway_targets.h"
 
 // Spans have vectors of four and of eight floats: SSSE3 brings them nothing over the emulated vectors, which
 // run in its place. Each target takes 2 s a type of number to compile.

@@ -1,6 +1,6 @@
 #include <bit>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/cell_map.h"
 #include "warp/coverage.h"
 #include "warp/outline_pixels.h"

@@ -2,8 +2,8 @@
 
 #include <dlfcn.h>
 
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
 
 namespace wend {
 

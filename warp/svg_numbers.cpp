@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/number_text.h"
+#include "core/base/number_text.h"
 #include "warp/svg_path.h"
 
 namespace wend {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/picture_metadata.h"
 
 namespace wend {

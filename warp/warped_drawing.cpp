@@ -6,8 +6,8 @@
 #include <map>
 #include <sstream>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "warp/curve_fit.h"
 
 namespace wend {

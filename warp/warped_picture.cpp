@@ -7,7 +7,7 @@
 #include <numeric>
 #include <thread>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/at_rest.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"

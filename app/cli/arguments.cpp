@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "app/document/file/rgb_text.h"
-#include "app/document/options/settings.h"
-#include "app/document/pixel_rect.h"
-#include "app/document/project_fwd.h"
+#include "app/project/file/rgb_text.h"
+#include "app/project/options/settings.h"
+#include "app/project/pixel_rect.h"
+#include "app/project/project_fwd.h"
 #include "core/energy/material.h"
 
 namespace wend {

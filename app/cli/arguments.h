@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/options/option_values.h"
-#include "app/document/project_fwd.h"
+#include "app/project/options/option_values.h"
+#include "app/project/project_fwd.h"
 
 namespace wend {
 

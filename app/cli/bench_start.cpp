@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "app/cli/commands.h"
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
 
 namespace wend {
 

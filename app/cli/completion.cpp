@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "app/cli/command_table.h"
-#include "app/document/options/options.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/guarded.h"
-#include "app/session/run/run.h"
+#include "app/output/run.h"
 
 namespace wend {
 namespace {

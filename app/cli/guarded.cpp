@@ -10,10 +10,10 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/printable.h"
-#include "core/mesh/safe_file.h"
-#include "core/system/last_act.h"
+#include "core/base/input_file.h"
+#include "core/base/last_act.h"
+#include "core/base/printable.h"
+#include "core/base/safe_file.h"
 
 namespace wend {
 namespace {

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "app/cli/cli.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/safe_file.h"
-#include "core/system/last_act.h"
+#include "core/base/input_file.h"
+#include "core/base/last_act.h"
+#include "core/base/safe_file.h"
 
 namespace wend {
 namespace {

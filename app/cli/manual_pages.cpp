@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "app/cli/command_table.h"
-#include "app/document/options/options.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 namespace {

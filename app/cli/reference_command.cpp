@@ -3,8 +3,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/completion.h"
 #include "app/cli/manual_pages.h"
-#include "app/document/file/text_file.h"
-#include "app/document/options/options.h"
+#include "app/project/file/text_file.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 namespace {

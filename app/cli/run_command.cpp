@@ -7,13 +7,13 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/run_preparation.h"
 #include "app/cli/terminal.h"
-#include "app/document/edits/scaled_project.h"
-#include "app/document/file/named_files.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/project.h"
-#include "app/session/applied_motion.h"
+#include "app/engine/applied_motion.h"
+#include "app/project/edits/scaled_project.h"
+#include "app/project/file/named_files.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/project.h"
+#include "core/base/error.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 
 namespace wend {
 namespace {

@@ -5,15 +5,15 @@
 #include <filesystem>
 
 #include "app/cli/size_argument.h"
-#include "app/document/edits/material_edits.h"
-#include "app/document/file/named_files.h"
-#include "app/document/project.h"
-#include "app/session/run/output_set.h"
-#include "app/session/run/overwriting.h"
-#include "app/session/run/run_options.h"
-#include "app/session/shape/material_picture.h"
-#include "core/mesh/error.h"
-#include "core/mesh/same_file.h"
+#include "app/engine/shape/material_picture.h"
+#include "app/output/output_set.h"
+#include "app/output/overwriting.h"
+#include "app/output/run_options.h"
+#include "app/project/edits/material_edits.h"
+#include "app/project/file/named_files.h"
+#include "app/project/project.h"
+#include "core/base/error.h"
+#include "core/base/same_file.h"
 
 namespace wend {
 namespace {

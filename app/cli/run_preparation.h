@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "app/document/project_fwd.h"
-#include "app/session/run/run.h"
+#include "app/output/run.h"
+#include "app/project/project_fwd.h"
 
 namespace wend {
 

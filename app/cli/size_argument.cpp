@@ -1,9 +1,9 @@
 #include "app/cli/size_argument.h"
 
-#include "app/document/domain.h"
-#include "app/document/edits/drawing_size.h"
-#include "app/document/file/named_files.h"
-#include "core/mesh/error.h"
+#include "app/project/domain.h"
+#include "app/project/edits/drawing_size.h"
+#include "app/project/file/named_files.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

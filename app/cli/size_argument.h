@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/arguments.h"
-#include "app/document/project_fwd.h"
+#include "app/project/project_fwd.h"
 #include "warp/vector_drawing.h"
 
 namespace wend {

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "core/mesh/printable.h"
-#include "core/system/last_act.h"
+#include "core/base/last_act.h"
+#include "core/base/printable.h"
 
 namespace wend {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/mpi/part_solver.h"
 #include "app/mpi/partition.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

@@ -16,7 +16,7 @@
 #include <cstdint>
 
 #include "app/cli/terminal.h"
-#include "core/system/last_act.h"
+#include "core/base/last_act.h"
 
 namespace wend {
 namespace {

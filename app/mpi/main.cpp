@@ -8,8 +8,8 @@
 #include "app/cli/terminal.h"
 #include "app/mpi/divided_solver.h"
 #include "app/mpi/lifeline.h"
-#include "app/session/run/run.h"
-#include "core/system/simd_target.h"
+#include "app/output/run.h"
+#include "core/base/simd_target.h"
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"
 

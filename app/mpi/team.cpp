@@ -8,7 +8,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 
 namespace wend {
 namespace {

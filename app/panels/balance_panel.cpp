@@ -1,8 +1,8 @@
 #include "app/panels/balance_panel.h"
 
-#include "app/document/options/settings.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/picture_tip.h"
+#include "app/project/options/settings.h"
 
 namespace wend {
 

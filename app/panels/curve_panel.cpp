@@ -4,13 +4,13 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/document/design.h"
-#include "app/document/edits/curve_edits.h"
-#include "app/document/edits/timing_edits.h"
 #include "app/panels/fields/ease_names.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/project/design.h"
+#include "app/project/edits/curve_edits.h"
+#include "app/project/edits/timing_edits.h"
 #include "app/session/pins/curve_making.h"
 
 namespace wend {

@@ -8,12 +8,12 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/base/preferences.h"
+#include "app/engine/shape/shape.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/session/preferences.h"
-#include "app/session/shape/shape.h"
 #include "core/energy/distortion.h"
 
 namespace wend {

@@ -6,14 +6,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/document/domain.h"
-#include "app/document/file/named_files.h"
-#include "app/document/in_background.h"
+#include "app/base/in_background.h"
+#include "app/engine/shape/inspection.h"
+#include "app/engine/shape/shape.h"
+#include "app/engine/shape/told_units.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/session/shape/inspection.h"
-#include "app/session/shape/shape.h"
-#include "app/session/shape/told_units.h"
+#include "app/project/domain.h"
+#include "app/project/file/named_files.h"
 
 namespace wend {
 

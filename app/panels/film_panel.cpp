@@ -7,13 +7,13 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
-#include "app/document/project.h"
+#include "app/base/preferences.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/session/preferences.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
+#include "app/project/project.h"
 
 namespace wend {
 

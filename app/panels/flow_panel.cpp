@@ -3,12 +3,12 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/fields/memory_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/fields/reasons.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
 #include "app/session/settle_step.h"
 
 namespace wend {

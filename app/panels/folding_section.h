@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/session/preferences.h"
+#include "app/base/preferences.h"
 
 class QToolButton;
 class QVBoxLayout;

@@ -5,10 +5,10 @@
 #include <QPixmap>
 #include <QPushButton>
 
-#include "app/document/domain.h"
-#include "app/document/file/named_files.h"
-#include "app/document/in_background.h"
+#include "app/base/in_background.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/domain.h"
+#include "app/project/file/named_files.h"
 
 namespace wend {
 namespace {

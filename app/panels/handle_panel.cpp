@@ -12,7 +12,7 @@
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/panels/look/theme.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

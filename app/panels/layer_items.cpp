@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "app/panels/look/theme.h"
-#include "app/session/colours.h"
+#include "app/style/colours.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

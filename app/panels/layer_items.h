@@ -3,7 +3,7 @@
 #include <QIcon>
 #include <QItemDelegate>
 
-#include "app/document/edits/material_edits.h"
+#include "app/project/edits/material_edits.h"
 
 namespace wend {
 

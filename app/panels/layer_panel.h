@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/document/edits/material_edits.h"
+#include "app/project/edits/material_edits.h"
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
 

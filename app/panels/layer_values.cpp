@@ -6,14 +6,14 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/document/domain.h"
-#include "app/document/file/named_files.h"
+#include "app/engine/shape/told_units.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/magnitude_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/layer_panel.h"
-#include "app/session/shape/told_units.h"
+#include "app/project/domain.h"
+#include "app/project/file/named_files.h"
 
 namespace wend {
 

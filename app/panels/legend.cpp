@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "app/panels/fields/panel_parts.h"
-#include "app/panels/look/energy_scale.h"
-#include "app/panels/look/theme.h"
+#include "app/style/energy_scale.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <QToolButton>
 
-#include "app/panels/look/colour_map.h"
+#include "app/style/colour_map.h"
 
 namespace wend {
 

@@ -4,10 +4,10 @@
 #include <QLocale>
 #include <QPushButton>
 
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/panels/look/theme.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <set>
 
-#include "app/document/design.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/engine/shape/shape.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"
-#include "app/panels/look/colour_map.h"
-#include "app/session/motion/pose_places.h"
-#include "app/session/shape/shape.h"
+#include "app/project/design.h"
+#include "app/style/colour_map.h"
 #include "core/mesh/quality.h"
 
 namespace wend {

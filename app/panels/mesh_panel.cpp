@@ -7,15 +7,15 @@
 #include <cmath>
 #include <utility>
 
-#include "app/document/domain.h"
-#include "app/document/edits/part_edits.h"
-#include "app/document/edits/setting_edits.h"
+#include "app/engine/shape/shape.h"
 #include "app/panels/cut_out_panel.h"
 #include "app/panels/fields/detail_row.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/session/shape/shape.h"
+#include "app/project/domain.h"
+#include "app/project/edits/part_edits.h"
+#include "app/project/edits/setting_edits.h"
 #include "warp/image.h"
 
 namespace wend {

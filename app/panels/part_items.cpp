@@ -6,7 +6,7 @@
 #include <QPixmap>
 #include <algorithm>
 
-#include "app/panels/look/theme.h"
+#include "app/style/theme.h"
 #include "warp/convert.h"
 
 namespace wend {

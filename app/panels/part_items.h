@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStyledItemDelegate>
 
-#include "app/document/part.h"
+#include "app/project/part.h"
 
 class QPalette;
 

@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <array>
 
-#include "app/document/domain.h"
-#include "app/document/edits/part_edits.h"
+#include "app/engine/shape/joint_place.h"
+#include "app/engine/shape/shape.h"
 #include "app/panels/fields/number_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/panels/look/theme.h"
 #include "app/panels/part_items.h"
 #include "app/panels/part_order_row.h"
-#include "app/session/shape/joint_place.h"
-#include "app/session/shape/shape.h"
+#include "app/project/domain.h"
+#include "app/project/edits/part_edits.h"
 #include "app/session/shape_session.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/document/part.h"
+#include "app/project/part.h"
 
 class QComboBox;
 class QListWidget;

@@ -3,9 +3,9 @@
 #include <QLocale>
 #include <QToolButton>
 
-#include "app/document/domain.h"
-#include "app/document/edits/part_edits.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/domain.h"
+#include "app/project/edits/part_edits.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

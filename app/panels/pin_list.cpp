@@ -9,13 +9,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/pin_edits.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/panels/look/marks.h"
-#include "app/panels/look/theme.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/pin_edits.h"
 #include "app/session/pins/pin_traits.h"
+#include "app/style/marks.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

@@ -6,11 +6,11 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/document/edits/handle_edits.h"
-#include "app/document/options/options.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/document/edits/region_edits.h"
+#include "app/project/edits/region_edits.h"
 #include "app/session/shape_session.h"
 
 class QLabel;

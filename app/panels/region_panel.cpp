@@ -2,12 +2,12 @@
 
 #include <QCheckBox>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
+#include "app/engine/motion/pose_places.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/region_numbers.h"
-#include "app/session/motion/pose_places.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
 #include "app/session/pins/pin_shapes.h"
 
 namespace wend {

@@ -6,14 +6,14 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/size_edits.h"
-#include "app/document/options/options.h"
 #include "app/panels/fields/magnitude_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/region_numbers.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/size_edits.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/session/shared_value.h"
+#include "app/base/shared_value.h"
 #include "core/energy/material.h"
 #include "core/mesh/region.h"
 

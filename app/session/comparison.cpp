@@ -1,7 +1,7 @@
 #include "app/session/comparison.h"
 
-#include "app/document/edits/material_edits.h"
-#include "app/document/options/options.h"
+#include "app/project/edits/material_edits.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 

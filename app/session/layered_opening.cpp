@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/session/shape/part_pictures.h"
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/printable.h"
+#include "app/engine/shape/part_pictures.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/printable.h"
 #include "warp/layer_merging.h"
 #include "warp/layered_file.h"
 #include "warp/outline.h"

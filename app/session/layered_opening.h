@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/part.h"
-#include "core/mesh/message.h"
+#include "app/project/part.h"
+#include "core/base/message.h"
 #include "warp/image.h"
 #include "warp/vector_drawing.h"
 

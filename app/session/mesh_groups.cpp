@@ -1,10 +1,10 @@
 #include "app/session/mesh_groups.h"
 
-#include "app/document/design.h"
-#include "app/document/edits/free_name.h"
-#include "app/document/file/named_places.h"
+#include "app/project/design.h"
+#include "app/project/edits/free_name.h"
+#include "app/project/file/named_places.h"
 #include "app/session/shape_session.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/group_vertices.h"
 #include "core/mesh/mesh_of_file.h"
 

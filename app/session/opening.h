@@ -3,8 +3,8 @@
 #include <QMap>
 #include <QStringList>
 
-#include "app/document/edits/recovery.h"
-#include "core/mesh/error.h"
+#include "app/project/edits/recovery.h"
+#include "core/base/error.h"
 #include "warp/vector_drawing.h"
 
 namespace wend {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/part_edits.h"
-#include "app/session/shape/part_seam.h"
-#include "app/session/shape/shape.h"
+#include "app/engine/shape/part_seam.h"
+#include "app/engine/shape/shape.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/part_edits.h"
 #include "app/session/shape_session.h"
 #include "core/meshing/outline_combination.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/document/edits/handle_edits.h"
+#include "app/project/edits/handle_edits.h"
 #include "core/mesh/region.h"
 #include "core/motion/trajectory.h"
 

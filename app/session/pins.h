@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/session/motion/frame.h"
+#include "app/engine/motion/frame.h"
 #include "core/mesh/point_locator.h"
 #include "core/motion/handle.h"
 

@@ -2,8 +2,8 @@
 
 #include <QTimer>
 
-#include "app/document/in_background.h"
-#include "app/session/shape/pose_faults.h"
+#include "app/base/in_background.h"
+#include "app/engine/shape/pose_faults.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

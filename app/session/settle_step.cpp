@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/project.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/project.h"
 
 namespace wend {
 

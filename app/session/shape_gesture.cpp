@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "app/document/edits/film_time.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/pin_edits.h"
-#include "app/document/edits/pose_edits.h"
-#include "app/document/project.h"
-#include "app/document/said.h"
+#include "app/base/said.h"
+#include "app/project/edits/film_time.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/pin_edits.h"
+#include "app/project/edits/pose_edits.h"
+#include "app/project/project.h"
 #include "app/session/shape_session.h"
 #include "core/motion/curve.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/project_fwd.h"
-#include "app/session/motion/drag_gesture.h"
+#include "app/engine/motion/drag_gesture.h"
+#include "app/project/project_fwd.h"
 #include "app/session/pins.h"
 
 namespace wend {

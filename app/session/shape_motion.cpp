@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/session/motion/compute_thread.h"
-#include "app/session/motion/fields.h"
-#include "app/session/motion/playback.h"
+#include "app/engine/motion/compute_thread.h"
+#include "app/engine/motion/fields.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
 #include "app/session/selection.h"
 #include "app/session/shape_session.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/document/edits/document.h"
-#include "app/session/motion/frame_track.h"
+#include "app/engine/motion/frame_track.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 

@@ -1,9 +1,9 @@
 #include "app/session/shape_session.h"
 
-#include "app/document/design.h"
-#include "app/document/edits/free_name.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/session/shape/mesh_parts.h"
+#include "app/engine/shape/mesh_parts.h"
+#include "app/project/design.h"
+#include "app/project/edits/free_name.h"
+#include "app/project/edits/handle_edits.h"
 
 namespace wend {
 

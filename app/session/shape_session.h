@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/session/motion/playback.h"
+#include "app/engine/motion/playback.h"
 #include "app/session/selection.h"
 #include "app/session/shape_gesture.h"
 #include "app/session/shape_motion.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/session/shape/mesh_parts.h"
+#include "app/engine/shape/mesh_parts.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "app/document/edits/document.h"
+#include "app/project/edits/document.h"
 #include "app/session/pins.h"
 
 namespace wend {

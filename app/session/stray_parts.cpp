@@ -9,12 +9,12 @@
 #include <set>
 #include <utility>
 
-#include "app/document/domain.h"
-#include "app/document/edits/part_edits.h"
-#include "app/session/shape/shape.h"
+#include "app/engine/shape/shape.h"
+#include "app/project/domain.h"
+#include "app/project/edits/part_edits.h"
 #include "app/session/shape_session.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/boundary_loops.h"
-#include "core/mesh/disjoint_sets.h"
 
 namespace wend {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/project_fwd.h"
+#include "app/project/project_fwd.h"
 #include "core/meshing/outline.h"
 
 namespace wend {

@@ -6,8 +6,8 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "app/session/mark_size.h"
-#include "app/session/shape/shape.h"
+#include "app/engine/shape/shape.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

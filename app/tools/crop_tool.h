@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/session/run/crop.h"
+#include "app/session/crop.h"
 #include "app/tools/tool_kind.h"
 
 namespace wend {

@@ -3,8 +3,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/session/mark_size.h"
 #include "app/session/shape_session.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

@@ -3,8 +3,8 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/pin_settings.h"
 #include "app/tools/tool.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/document/edits/grip.h"
+#include "app/project/edits/grip.h"
 
 namespace wend {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/mark_size.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/domain.h"
-#include "app/session/mark_size.h"
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/project/domain.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/document/edits/grip.h"
-#include "app/session/shared_value.h"
+#include "app/base/shared_value.h"
+#include "app/project/edits/grip.h"
 #include "app/tools/drawn_outline.h"
 
 namespace wend {

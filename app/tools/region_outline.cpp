@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
 
 namespace wend {
 

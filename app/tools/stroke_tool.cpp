@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/mark_size.h"
-#include "app/session/shape/mesh_parts.h"
+#include "app/engine/shape/mesh_parts.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

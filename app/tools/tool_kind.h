@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/session/measure.h"
-#include "app/session/run/crop.h"
+#include "app/engine/measure.h"
+#include "app/session/crop.h"
 #include "app/tools/mode.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/pin_settings.h"

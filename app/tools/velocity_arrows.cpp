@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/mark_size.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

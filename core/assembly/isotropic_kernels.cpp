@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/system/highway_targets.h"
+#include "core/base/highway_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/assembly/isotropic_kernels.cpp"

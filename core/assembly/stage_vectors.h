@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

@@ -2,8 +2,8 @@
 
 #include <sstream>
 
+#include "core/base/error.h"
 #include "core/mesh/decompositions.h"
-#include "core/mesh/error.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/system/highway_targets.h"
+#include "core/base/highway_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/energy/stretches.cpp"

@@ -12,8 +12,8 @@
 #include <mutex>
 #include <new>
 
-#include "core/system/abandonable.h"
-#include "core/system/address_room.h"
+#include "core/base/abandonable.h"
+#include "core/base/address_room.h"
 
 namespace wend {
 namespace {

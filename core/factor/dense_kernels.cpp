@@ -1,6 +1,6 @@
 #include "core/factor/dense_kernels.h"
 
-#include "core/system/highway_targets.h"
+#include "core/base/highway_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/factor/dense_kernels.cpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "core/system/memory.h"
-#include "core/system/simd_target.h"
+#include "core/base/memory.h"
+#include "core/base/simd_target.h"
 
 namespace wend {
 namespace {

@@ -7,11 +7,11 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/large_array.h"
 #include "core/factor/dense_kernels.h"
 #include "core/factor/elimination_tree.h"
 #include "core/factor/supernodes.h"
 #include "core/factor/worker_pool.h"
-#include "core/system/large_array.h"
 
 namespace wend {
 

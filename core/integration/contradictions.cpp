@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace wend {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/integration/integrator.h"
-#include "core/mesh/error.h"
 
 namespace wend {
 

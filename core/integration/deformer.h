@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/assembly/back_end.h"
+#include "core/base/message.h"
 #include "core/energy/material.h"
 #include "core/integration/integration_options.h"
 #include "core/integration/step_progress.h"
 #include "core/integration/step_record.h"
-#include "core/mesh/message.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"
 #include "core/solver/velocity_solver.h"

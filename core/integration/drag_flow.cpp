@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/integration/contradictions.h"
 #include "core/integration/step_method.h"
 #include "core/integration/stop_message.h"
 #include "core/mesh/cell_geometry.h"
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
 
 namespace wend {
 

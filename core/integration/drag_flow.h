@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/integration/orientation.h"
-#include "core/mesh/message.h"
 #include "core/mesh/used_vertices.h"
 #include "core/motion/constraints.h"
 #include "core/solver/velocity_history.h"

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/integration/contradictions.h"
 #include "core/integration/implicit_method.h"
-#include "core/mesh/error.h"
 
 namespace wend {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/integration/integrator.h"
 #include "core/integration/stop_message.h"
 #include "core/mesh/cell_geometry.h"
-#include "core/mesh/number_text.h"
 
 namespace wend {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/input_file.h"
+#include "core/base/safe_file.h"
 #include "core/integration/deformer.h"
 #include "core/integration/states_format.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/safe_file.h"
 
 namespace wend {
 

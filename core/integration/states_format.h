@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/assembly/stage_vectors.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 // A states file begins with 16 bytes that name the format and its version; blocks follow. A block consists of
 // its kind (4 bytes), the length of its content (8), the content, and the CRC-32 of all of these (4). Numbers

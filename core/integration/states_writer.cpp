@@ -7,8 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/same_file.h"
 #include "core/integration/states_file.h"
-#include "core/mesh/same_file.h"
 
 namespace wend {
 namespace {

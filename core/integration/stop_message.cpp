@@ -1,6 +1,6 @@
 #include "core/integration/stop_message.h"
 
-#include "core/mesh/number_text.h"
+#include "core/base/number_text.h"
 
 namespace wend {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/message.h"
 #include "core/solver/velocity_solver.h"
 
 namespace wend {

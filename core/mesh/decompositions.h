@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

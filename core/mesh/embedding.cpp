@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/triangle_tree.h"
 
 namespace wend {

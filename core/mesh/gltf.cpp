@@ -7,10 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/safe_file.h"
 #include "core/mesh/formats/colours.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/safe_file.h"
 
 namespace wend {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/group_vertices.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/plane_frame.h"

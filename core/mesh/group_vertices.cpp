@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_file.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/error.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/error.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {

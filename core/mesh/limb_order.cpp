@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/segments.h"
 
 namespace wend {

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/mesh/checked_file.h"
-#include "core/mesh/error.h"
+#include "core/base/checked_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/number_text.h"
+#include "core/base/safe_file.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/number_text.h"
 #include "core/mesh/plane_frame.h"
-#include "core/mesh/safe_file.h"
 
 namespace wend {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/quality.h"
 
 namespace wend {

@@ -4,7 +4,10 @@
 #include <filesystem>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/safe_file.h"
+#include "core/base/temporary_folder.h"
 #include "core/mesh/formats/colours.h"
 #include "core/mesh/formats/gltf_read.h"
 #include "core/mesh/formats/mesh_bag.h"
@@ -12,9 +15,6 @@
 #include "core/mesh/formats/obj_skin.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/gltf.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/safe_file.h"
-#include "core/mesh/temporary_folder.h"
 #include "core/mesh/turned_normals.h"
 
 namespace wend {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/error.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/error.h"
 #include "core/meshing/cube_grid.h"
 #include "core/meshing/spatial_order.h"
 #include "core/meshing/surface_edges.h"

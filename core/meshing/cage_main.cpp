@@ -6,7 +6,7 @@
 
 #include <new>
 
-#include "core/mesh/helper_program.h"
+#include "core/base/helper_program.h"
 #include "core/meshing/cage_fitter.h"
 #include "core/meshing/cage_protocol.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "core/meshing/cage.h"
 
 namespace wend {

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/error.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/error.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/meshing/cube_grid.h"
 #include "core/meshing/surface_edges.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/disjoint_sets.h"
+#include "core/base/error.h"
 #include "core/mesh/boundary_loops.h"
-#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/embedding.h"
-#include "core/mesh/error.h"
 #include "core/mesh/skin.h"
 #include "core/meshing/cage.h"
 #include "core/meshing/planar_mesher.h"

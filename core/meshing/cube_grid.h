@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 #include "core/meshing/surface.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/meshing/fix_all.h"
 #include "core/meshing/sound_part.h"
 #include "core/meshing/surface_edges.h"

@@ -2,8 +2,8 @@
 
 #include <csignal>
 
-#include "core/mesh/child_process.h"
-#include "core/mesh/number_text.h"
+#include "core/base/child_process.h"
+#include "core/base/number_text.h"
 
 namespace wend {
 namespace {

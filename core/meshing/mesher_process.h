@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <string>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/mesh/segments.h"
 
 namespace wend {

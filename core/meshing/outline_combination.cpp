@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/segments.h"
 #include "core/meshing/outline_check.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/outline_check.h"
 #include "core/meshing/outline_simplify.h"
 #include "core/meshing/planar_refinement.h"

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <numbers>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/meshing/outline_check.h"
 #include "core/meshing/planar_triangulation.h"
 

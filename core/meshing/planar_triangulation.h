@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend::planar {
 

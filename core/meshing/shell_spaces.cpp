@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/meshing/surface_edges.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/message.h"
-#include "core/mesh/types.h"
+#include "core/base/message.h"
+#include "core/base/types.h"
 
 namespace wend {
 

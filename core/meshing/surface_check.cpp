@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/touching_bodies.h"
 

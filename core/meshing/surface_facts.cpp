@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/meshing/solid_angle.h"
 #include "core/meshing/surface_edges.h"
 

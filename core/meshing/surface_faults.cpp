@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/meshing/surface_edges.h"
 
 namespace wend {

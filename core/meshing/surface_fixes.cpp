@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/sound_part.h"
 #include "core/meshing/surface_edges.h"
 #include "core/meshing/surface_holes.h"

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <new>
 
-#include "core/mesh/helper_program.h"
+#include "core/base/helper_program.h"
 #include "core/meshing/tetgen_protocol.h"
 
 namespace {

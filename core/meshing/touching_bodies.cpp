@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/number_text.h"
+#include "core/base/disjoint_sets.h"
+#include "core/base/number_text.h"
 #include "core/meshing/surface_edges.h"
 
 namespace wend {

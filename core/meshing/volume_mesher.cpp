@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/spatial_order.h"
 #include "core/meshing/surface_check.h"

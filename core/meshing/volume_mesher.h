@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "core/meshing/mesher_process.h"
 #include "core/meshing/shell_spaces.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/handle_points.h"
 #include "core/motion/sliding.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "core/motion/guide_surface.h"
 #include "core/motion/normalization.h"
 #include "core/motion/trajectory.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

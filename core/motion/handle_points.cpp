@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/mesh/shape_size.h"
 #include "core/mesh/used_vertices.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/rest_guide.h"
 
 namespace wend {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/easing.h"
 #include "core/motion/moving_frame.h"
 #include "core/motion/screw_motion.h"

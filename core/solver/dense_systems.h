@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 #include "core/solver/constraint_rows.h"
 #include "core/solver/dense_systems.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/solver/components.h"
 #include "core/solver/flat_points.h"
 #include "core/solver/stopwatch.h"

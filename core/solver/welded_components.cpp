@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 #include "core/solver/dense_systems.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 
 namespace wend {
 

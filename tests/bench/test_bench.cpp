@@ -9,7 +9,7 @@
 #include "bench/flow_rows.h"
 #include "bench/paper.h"
 #include "bench/solver_rows.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 using namespace wend;
 

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "app/view/volume/volume_view.h"
+#include "app/views/volume/volume_view.h"
 #include "bench/window_rows.h"
 
 using namespace wend;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/hanging_parts.h"
 #include "core/mesh/quality.h"
 #include "core/meshing/cage.h"

@@ -1,8 +1,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/integration/contradictions.h"
-#include "core/mesh/error.h"
 #include "tests/core/test_mesh_samples.h"
 
 using namespace wend;

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/error.h"
 #include "core/energy/distortion.h"
 #include "core/integration/drag_flow.h"
-#include "core/mesh/error.h"
 #include "tests/core/test_strip.h"
 
 using namespace wend;

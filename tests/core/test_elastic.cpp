@@ -5,9 +5,9 @@
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/assembly/rest_energy.h"
+#include "core/base/error.h"
 #include "core/energy/distortion.h"
 #include "core/integration/drag_flow.h"
-#include "core/mesh/error.h"
 #include "core/mesh/shape_size.h"
 #include "tests/core/test_energy_samples.h"
 #include "tests/core/test_strip.h"

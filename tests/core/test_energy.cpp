@@ -2,8 +2,8 @@
 #include <Eigen/Dense>
 #include <QTest>
 
+#include "core/base/error.h"
 #include "core/energy/cell_energy.h"
-#include "core/mesh/error.h"
 #include "tests/core/test_energy_samples.h"
 
 using namespace wend;

@@ -12,9 +12,9 @@
 #include <map>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/safe_file.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/safe_file.h"
 
 using namespace wend;
 

@@ -7,8 +7,8 @@
 #include <QtEndian>
 #include <cstring>
 
+#include "core/base/error.h"
 #include "core/mesh/embedding.h"
-#include "core/mesh/error.h"
 #include "core/mesh/gltf.h"
 #include "tests/support/surfaces.h"
 

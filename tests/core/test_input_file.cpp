@@ -2,9 +2,9 @@
 
 #include <QtTest>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/printable.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/printable.h"
 #include "test_folder.h"
 
 using namespace wend;

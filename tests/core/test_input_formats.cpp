@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <cstring>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/gltf.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/skin_file.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/error.h"
 #include "core/energy/distortion.h"
-#include "core/mesh/error.h"
 #include "tests/core/test_strip.h"
 
 using namespace wend;

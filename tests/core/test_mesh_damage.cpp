@@ -1,7 +1,7 @@
 #include <QtTest>
 
+#include "core/base/number_text.h"
 #include "core/mesh/formats/mesh_format.h"
-#include "core/mesh/number_text.h"
 #include "test_mesh_files.h"
 
 using namespace wend;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_file.h"
 #include "test_folder.h"
 #include "test_mesh_samples.h"

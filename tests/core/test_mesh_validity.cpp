@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/shape_size.h"
 #include "test_mesh_samples.h"
 

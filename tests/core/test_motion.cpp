@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/easing.h"
 #include "core/motion/trajectory.h"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/outline_check.h"
 #include "core/meshing/outline_combination.h"
 #include "core/meshing/planar_mesher.h"

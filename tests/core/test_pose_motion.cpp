@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/motion/constraints.h"
 #include "core/motion/easing.h"
 #include "core/motion/reach.h"

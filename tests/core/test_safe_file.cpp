@@ -16,12 +16,12 @@
 #include <iterator>
 #include <thread>
 
-#include "core/mesh/checked_file.h"
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
-#include "core/mesh/safe_file.h"
-#include "core/mesh/same_file.h"
+#include "core/base/checked_file.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/safe_file.h"
+#include "core/base/same_file.h"
 
 using namespace wend;
 namespace fs = std::filesystem;

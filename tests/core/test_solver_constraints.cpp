@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cstring>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/solver/components.h"
 #include "core/solver/velocity_solver.h"
 #include "tests/core/test_energy_samples.h"

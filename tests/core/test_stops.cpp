@@ -5,8 +5,8 @@
 #include <QTest>
 #include <cstdlib>
 
+#include "core/base/number_text.h"
 #include "core/energy/distortion.h"
-#include "core/mesh/number_text.h"
 #include "core/mesh/quality.h"
 #include "core/motion/constraints.h"
 #include "tests/core/test_strip.h"

@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/memory.h"
 #include "core/factor/cholesky.h"
 #include "core/factor/dense_kernels.h"
 #include "core/factor/supernodal_factor.h"
 #include "core/solver/reduced_system.h"
-#include "core/system/memory.h"
 #include "tests/core/test_energy_samples.h"
 #include "tests/core/test_folder.h"
 #include "tests/support/simd_targets.h"

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/fix_all.h"
 #include "core/meshing/seam_weld.h"
 #include "core/meshing/surface_facts.h"

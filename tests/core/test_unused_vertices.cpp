@@ -3,9 +3,9 @@
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/error.h"
 #include "core/integration/drag_flow.h"
 #include "core/mesh/embedding.h"
-#include "core/mesh/error.h"
 #include "core/mesh/used_vertices.h"
 #include "core/motion/normalization.h"
 #include "tests/core/test_strip.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <thread>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/surface_check.h"
 #include "core/meshing/surface_holes.h"
 #include "core/meshing/volume_mesher.h"

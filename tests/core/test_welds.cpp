@@ -5,7 +5,7 @@
 #include <QTest>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/solver/components.h"
 #include "core/solver/velocity_solver.h"
 #include "tests/core/test_strip.h"

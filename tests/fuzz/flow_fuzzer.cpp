@@ -11,7 +11,7 @@
 #include <optional>
 #include <regex>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/shape_size.h"
 #include "tests/fuzz/random_flow.h"
 

@@ -20,8 +20,8 @@
 #include <fstream>
 #include <random>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "tests/fuzz/picture_samples.h"
 #include "warp/image.h"
 #include "warp/picture_metadata.h"

@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
 #include "kernels/back_end_choice.h"
 #include "kernels/opencl_back_end.h"
 #include "tests/core/test_energy_samples.h"

@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "core/assembly/assembly_plan.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "kernels/back_end_choice.h"
 
 using namespace wend;

@@ -3,10 +3,10 @@
 #include <QListWidget>
 #include <QUndoStack>
 
-#include "app/document/design.h"
-#include "app/document/edits/material_edits.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
+#include "app/project/design.h"
+#include "app/project/edits/material_edits.h"
 #include "tests/support/bar.h"
 
 namespace wend::test {

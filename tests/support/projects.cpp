@@ -1,9 +1,9 @@
 #include "tests/support/projects.h"
 
-#include "app/document/edits/document.h"
-#include "app/document/edits/film_time.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/project.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/film_time.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/project.h"
 
 namespace wend::test {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/document/project_fwd.h"
+#include "app/project/project_fwd.h"
 #include "core/mesh/simplicial_mesh.h"
 
 namespace wend {

@@ -15,9 +15,9 @@
 #include <functional>
 #include <random>
 
-#include "app/view/compare_view.h"
-#include "app/view/film/time_strip.h"
-#include "app/view/film/track_view.h"
+#include "app/window/compare_view.h"
+#include "app/window/film/time_strip.h"
+#include "app/window/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 
 namespace wend::test {

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "core/system/simd_target.h"
+#include "core/base/simd_target.h"
 
 namespace wend::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/document/design.h"
-#include "app/view/canvas/canvas.h"
-#include "app/view/main_window.h"
+#include "app/project/design.h"
+#include "app/views/canvas/canvas.h"
+#include "app/window/main_window.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 

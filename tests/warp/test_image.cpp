@@ -12,7 +12,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
 #include "warp/image_formats.h"

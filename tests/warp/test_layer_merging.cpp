@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/blend_mode.h"
 #include "warp/layer_merging.h"
 

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <random>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/image.h"
 #include "warp/krita_pixels.h"
 #include "warp/picture_metadata.h"

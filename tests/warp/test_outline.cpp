@@ -4,7 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/meshing/planar_mesher.h"
 #include "warp/outline.h"
 

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QtEndian>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/image.h"
 #include "warp/picture_format.h"
 #include "warp/picture_library.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QtEndian>
 
-#include "core/mesh/input_file.h"
+#include "core/base/input_file.h"
 #include "warp/image.h"
 #include "warp/metadata_check.h"
 #include "warp/picture_format.h"

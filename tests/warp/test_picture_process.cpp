@@ -12,8 +12,8 @@
 #include <future>
 #include <thread>
 
-#include "core/mesh/error.h"
-#include "core/mesh/input_file.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "tests/support/child_processes.h"
 #include "tests/support/pictures.h"
 #include "warp/picture_process.h"

@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "tests/support/pictures.h"
 #include "tests/support/simd_targets.h"
 #include "tests/support/warps.h"

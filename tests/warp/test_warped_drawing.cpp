@@ -12,7 +12,7 @@
 #include <pugixml.hpp>
 #include <random>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/curve_fit.h"
 #include "warp/picture_process.h"
 #include "warp/warped_drawing.h"

@@ -2,7 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 
-#include "core/mesh/checked_file.h"
+#include "core/base/checked_file.h"
 
 namespace wend {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/mesh/checked_file.h"
+#include "core/base/checked_file.h"
 #include "warp/exif_check.h"
 
 // As in OpenImageIO/tiffutils.h, whose other declarations need libtiff's headers.

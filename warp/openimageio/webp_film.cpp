@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/checked_file.h"
-#include "core/mesh/error.h"
+#include "core/base/checked_file.h"
+#include "core/base/error.h"
 #include "warp/openimageio/webp.h"
 #include "warp/openimageio/writer.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/openimageio/checked_proxy.h"
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"

@@ -10,7 +10,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "warp/layered_file.h"
 #include "warp/svg/svg_painter.h"
 #include "warp/svg/vector_maker.h"

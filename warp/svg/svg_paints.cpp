@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace wend {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/message.h"
+#include "core/base/message.h"
 #include "warp/svg/svg_style.h"
 #include "warp/svg_path.h"
 

@@ -13,8 +13,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "warp/svg/drawn_text.h"
 #include "warp/svg/svg_paints.h"
 

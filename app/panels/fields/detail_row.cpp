@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QToolButton>
 
-#include "app/document/domain.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/domain.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/document/project_fwd.h"
+#include "app/project/project_fwd.h"
 
 class QLabel;
 class QToolButton;

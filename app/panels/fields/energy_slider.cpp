@@ -15,8 +15,8 @@
 
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
-#include "app/panels/look/theme.h"
-#include "app/session/colours.h"
+#include "app/style/colours.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

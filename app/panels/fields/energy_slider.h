@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/panels/look/energy_scale.h"
+#include "app/style/energy_scale.h"
 
 class QMimeData;
 class QPainter;

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "app/document/options/options.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/panels/look/theme.h"
+#include "app/project/options/options.h"
+#include "app/style/theme.h"
 
 namespace wend {
 

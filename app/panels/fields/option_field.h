@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/document/options/options.h"
+#include "app/project/options/options.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/edits/document.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/fields/reasons.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
 #include "core/energy/material.h"
 
 namespace wend {

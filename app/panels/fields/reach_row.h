@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/document/edits/document.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 

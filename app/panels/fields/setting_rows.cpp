@@ -2,12 +2,12 @@
 
 #include <QComboBox>
 
-#include "app/document/edits/document.h"
-#include "app/document/edits/part_edits.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/part_edits.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
 
 namespace wend {
 

@@ -2,10 +2,10 @@
 
 #include <QCoreApplication>
 
-#include "app/document/options/options.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
+#include "app/project/options/options.h"
 
 namespace wend {
 

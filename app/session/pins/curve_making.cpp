@@ -1,7 +1,7 @@
 #include "app/session/pins/curve_making.h"
 
-#include "app/document/design.h"
-#include "app/document/edits/curve_edits.h"
+#include "app/project/design.h"
+#include "app/project/edits/curve_edits.h"
 
 namespace wend {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/document/design.h"
+#include "app/project/design.h"
 #include "app/session/pins/mirroring.h"
 
 namespace wend {

@@ -3,8 +3,8 @@
 #include <QString>
 #include <vector>
 
-#include "app/document/edits/key_edits.h"
-#include "app/document/edits/progress.h"
+#include "app/project/edits/key_edits.h"
+#include "app/project/edits/progress.h"
 
 namespace wend {
 

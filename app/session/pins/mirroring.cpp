@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "app/document/design.h"
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/project/design.h"
 
 namespace wend {
 

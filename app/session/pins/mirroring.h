@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/edits/mirror_edits.h"
+#include "app/project/edits/mirror_edits.h"
 #include "app/session/shape_session.h"
 
 namespace wend {

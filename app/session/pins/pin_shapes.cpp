@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
 #include "core/mesh/used_vertices.h"
 
 namespace wend {

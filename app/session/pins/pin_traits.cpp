@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/document/design.h"
-#include "app/document/edits/pin_edits.h"
-#include "app/document/edits/timing_edits.h"
+#include "app/project/design.h"
+#include "app/project/edits/pin_edits.h"
+#include "app/project/edits/timing_edits.h"
 
 namespace wend {
 

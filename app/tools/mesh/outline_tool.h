@@ -3,7 +3,7 @@
 #include <QPainterPath>
 #include <optional>
 
-#include "app/document/domain.h"
+#include "app/project/domain.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool_kind.h"

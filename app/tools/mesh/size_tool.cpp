@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "app/document/domain.h"
-#include "app/document/edits/size_edits.h"
-#include "app/session/mark_size.h"
+#include "app/project/domain.h"
+#include "app/project/edits/size_edits.h"
+#include "app/style/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

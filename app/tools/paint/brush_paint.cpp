@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/document/edits/free_name.h"
-#include "app/session/colours.h"
-#include "app/session/shape/material_raster.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/project/edits/free_name.h"
+#include "app/style/colours.h"
 
 namespace wend {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "app/session/colours.h"
+#include "app/style/colours.h"
 #include "app/tools/drag_label.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 
 namespace wend {
 

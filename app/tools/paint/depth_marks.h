@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/session/motion/frame.h"
+#include "app/engine/motion/frame.h"
 
 namespace wend {
 

@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "app/document/depth_region.h"
-#include "app/document/edits/depth_edits.h"
-#include "app/session/colours.h"
+#include "app/project/depth_region.h"
+#include "app/project/edits/depth_edits.h"
+#include "app/style/colours.h"
 #include "app/tools/paint/depth_marks.h"
 
 namespace wend {

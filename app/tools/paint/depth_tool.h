@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/shape/depth.h"
+#include "app/engine/shape/depth.h"
 #include "app/tools/stroke_tool.h"
 #include "app/tools/tool_kind.h"
 

@@ -2,14 +2,14 @@
 
 #include <QCoreApplication>
 
-#include "app/document/design.h"
+#include "app/engine/shape/erasing.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/engine/shape/mesh_parts.h"
+#include "app/project/design.h"
 #include "app/session/brush.h"
-#include "app/session/mark_size.h"
-#include "app/session/shape/erasing.h"
-#include "app/session/shape/material_raster.h"
-#include "app/session/shape/mesh_parts.h"
+#include "app/style/mark_size.h"
 #include "app/tools/paint/brush_paint.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/project_fwd.h"
+#include "app/project/project_fwd.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/tool_kind.h"
 

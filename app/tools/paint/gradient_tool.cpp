@@ -3,15 +3,15 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "app/document/design.h"
-#include "app/document/edits/free_name.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/project/design.h"
+#include "app/project/edits/free_name.h"
 #include "app/session/brush.h"
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
-#include "app/session/shape/material_raster.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend {
 

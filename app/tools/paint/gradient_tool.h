@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/document/design.h"
-#include "app/document/project_fwd.h"
+#include "app/project/design.h"
+#include "app/project/project_fwd.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/tool_kind.h"
 

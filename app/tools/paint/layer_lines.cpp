@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/design.h"
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/project/design.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

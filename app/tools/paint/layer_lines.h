@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <vector>
 
-#include "app/document/design.h"
-#include "app/document/project_fwd.h"
+#include "app/project/design.h"
+#include "app/project/project_fwd.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "app/document/design.h"
-#include "app/session/colours.h"
-#include "app/session/motion/pose_places.h"
-#include "app/session/shape/erasing.h"
-#include "app/session/shape/material_raster.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/engine/shape/erasing.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/project/design.h"
+#include "app/style/colours.h"
 #include "app/tools/paint/brush_paint.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/segments.h"
 
 namespace wend {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/design.h"
+#include "app/project/design.h"
 #include "app/tools/stroke_tool.h"
 #include "app/tools/tool_kind.h"
 

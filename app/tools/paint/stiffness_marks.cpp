@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
-#include "app/session/motion/pose_places.h"
-#include "app/session/shape/material_raster.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

@@ -3,7 +3,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/document/edits/bezier_edits.h"
+#include "app/project/edits/bezier_edits.h"
 
 namespace wend {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/design.h"
-#include "app/document/edits/pin_edits.h"
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/project/design.h"
+#include "app/project/edits/pin_edits.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

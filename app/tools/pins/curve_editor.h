@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/document/edits/curve_edits.h"
+#include "app/project/edits/curve_edits.h"
 #include "app/tools/pins/curve_editing.h"
 #include "app/tools/shape_tool.h"
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
 

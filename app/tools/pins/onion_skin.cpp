@@ -6,9 +6,9 @@
 #include <map>
 #include <numeric>
 
-#include "app/session/colours.h"
-#include "app/session/shape/shape.h"
-#include "core/mesh/error.h"
+#include "app/engine/shape/shape.h"
+#include "app/style/colours.h"
+#include "core/base/error.h"
 #include "core/meshing/outline_combination.h"
 #include "warp/outline.h"
 

@@ -4,8 +4,8 @@
 #include <QLineF>
 #include <algorithm>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/pins/pin_picking.h"
 

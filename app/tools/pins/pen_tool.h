@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/document/edits/bezier_edits.h"
+#include "app/project/edits/bezier_edits.h"
 #include "app/tools/tool_kind.h"
 
 namespace wend {

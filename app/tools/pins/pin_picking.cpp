@@ -1,8 +1,8 @@
 #include "app/tools/pins/pin_picking.h"
 
-#include "app/document/design.h"
-#include "app/session/mark_size.h"
+#include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"
 

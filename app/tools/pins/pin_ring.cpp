@@ -4,8 +4,8 @@
 #include <QLineF>
 #include <cmath>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 
 namespace wend {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/engine/shape/shape.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/session/shape/shape.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

@@ -1,8 +1,8 @@
 // Hints, drawing, cursor and menu entry of the pin tool.
 #include <QCoreApplication>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_tool.h"
 

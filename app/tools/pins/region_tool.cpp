@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
-#include "app/session/motion/pose_places.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/pins/held_part.h"
 #include "app/tools/region_outline.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend::formats {
 namespace {

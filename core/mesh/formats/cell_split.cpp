@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/polygon_split.h"
 
 namespace wend::formats {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/exodus.h"
 #include "core/mesh/formats/mesh_bag.h"

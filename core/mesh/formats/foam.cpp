@@ -10,12 +10,12 @@
 #include <map>
 #include <set>
 
-#include "core/mesh/error.h"
-#include "core/mesh/file_name.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/base/input_file.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/foam_text.h"
 #include "core/mesh/formats/mesh_format.h"
-#include "core/mesh/input_file.h"
 
 namespace wend::formats {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/text_writer.h"
 
 namespace wend::formats {

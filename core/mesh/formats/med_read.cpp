@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/med.h"
 #include "core/mesh/formats/mesh_bag.h"

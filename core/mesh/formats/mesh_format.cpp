@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/mesh/error.h"
-#include "core/mesh/file_name.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
 #include "core/mesh/formats/boundary_values.h"
 #include "core/mesh/formats/lost_parts.h"
 #include "core/mesh/formats/mesh_bag.h"

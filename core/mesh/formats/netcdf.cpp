@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/scanner.h"
 
 namespace wend::formats {

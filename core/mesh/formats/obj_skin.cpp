@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/text_writer.h"
-#include "core/mesh/input_file.h"
 #include "core/mesh/mesh_file.h"
 
 namespace wend::formats {

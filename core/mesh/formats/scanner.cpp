@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/error.h"
-#include "core/mesh/number_text.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace wend::formats {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/mesh/formats/scalar_type.h"
-#include "core/mesh/message.h"
 
 namespace wend::formats {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/mesh/number_text.h"
+#include "core/base/number_text.h"
 
 namespace wend::formats {
 

@@ -7,12 +7,12 @@
 #include <Eigen/Core>
 #include <map>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/base/zip_archive.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
-#include "core/mesh/number_text.h"
-#include "core/mesh/zip_archive.h"
 
 namespace wend::formats {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/mesh/formats/vtk_cells.h"
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 
 namespace wend::formats {
 namespace {

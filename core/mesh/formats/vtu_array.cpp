@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/base64.h"
 
 namespace wend::formats {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <pugixml.hpp>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"

@@ -9,14 +9,14 @@
 #include <map>
 #include <pugixml.hpp>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 #include "core/mesh/formats/xdmf.h"
 #include "core/mesh/hdf5/hdf5_tree.h"
-#include "core/mesh/input_file.h"
 
 namespace wend::formats {
 namespace {

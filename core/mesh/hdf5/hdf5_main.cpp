@@ -8,10 +8,10 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
+#include "core/base/helper_program.h"
 #include "core/mesh/hdf5/hdf5_message.h"
 #include "core/mesh/hdf5/hdf5_reading.h"
-#include "core/mesh/helper_program.h"
 
 namespace {
 

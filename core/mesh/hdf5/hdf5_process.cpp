@@ -3,8 +3,8 @@
 
 #include <csignal>
 
-#include "core/mesh/child_process.h"
-#include "core/mesh/error.h"
+#include "core/base/child_process.h"
+#include "core/base/error.h"
 #include "core/mesh/hdf5/hdf5_message.h"
 #include "core/mesh/hdf5/hdf5_tree.h"
 

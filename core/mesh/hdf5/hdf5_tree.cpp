@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/scanner.h"
 
 namespace wend {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/mesh/types.h"
+#include "core/base/types.h"
 #include "core/solver/multigrid/block_product.h"
 
 namespace wend {

@@ -1,8 +1,8 @@
 #include "core/assembly/cpu_back_end.h"
+#include "core/base/memory.h"
 #include "core/solver/iterative_solver.h"
 #include "core/solver/multigrid/multigrid.h"
 #include "core/solver/solver_choice.h"
-#include "core/system/memory.h"
 
 namespace wend {
 namespace {

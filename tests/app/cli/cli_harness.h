@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/document/file/text_file.h"
+#include "app/project/file/text_file.h"
 #include "core/mesh/simplicial_mesh.h"
 #include "tests/support/quoted.h"
 #include "warp/image.h"

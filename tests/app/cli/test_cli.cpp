@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/options/options.h"
+#include "app/project/options/options.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 #include "tests/support/mesh_files.h"

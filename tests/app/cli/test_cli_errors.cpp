@@ -7,8 +7,8 @@
 #include <unistd.h>
 #include <QtTest>
 
+#include "core/base/simd_target.h"
 #include "core/mesh/mesh_of_file.h"
-#include "core/system/simd_target.h"
 #include "tests/app/cli/cli_harness.h"
 
 using namespace wend;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "app/document/design.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/file/project_writer.h"
-#include "app/document/project.h"
+#include "app/project/design.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
+#include "app/project/project.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"

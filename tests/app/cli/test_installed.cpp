@@ -5,9 +5,9 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 
+#include "app/base/program_files.h"
 #include "app/session/opening.h"
-#include "app/session/program_files.h"
-#include "app/view/help/manual_window.h"
+#include "app/window/help/manual_window.h"
 #include "tests/app/cli/cli_harness.h"
 
 using namespace wend;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/file/motion_files.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/file/project_writer.h"
-#include "app/document/project.h"
-#include "core/mesh/error.h"
+#include "app/project/file/motion_files.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
+#include "app/project/project.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"

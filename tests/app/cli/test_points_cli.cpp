@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "app/document/file/text_file.h"
+#include "app/project/file/text_file.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"

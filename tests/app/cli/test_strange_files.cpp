@@ -7,8 +7,8 @@
 
 #include <QtTest>
 
+#include "core/base/printable.h"
 #include "core/mesh/mesh_of_file.h"
-#include "core/mesh/printable.h"
 #include "tests/app/cli/cli_harness.h"
 
 using namespace wend;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/file/project_reader.h"
-#include "app/document/file/project_writer.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"

@@ -5,13 +5,13 @@
 #include <QPushButton>
 #include <QUndoStack>
 
-#include "app/document/project.h"
+#include "app/engine/motion/playback.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/film_panel.h"
-#include "app/session/motion/playback.h"
-#include "app/view/actions/actions.h"
-#include "app/view/main_window.h"
+#include "app/project/project.h"
+#include "app/window/actions/actions.h"
+#include "app/window/main_window.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;

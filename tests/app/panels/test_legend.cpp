@@ -5,8 +5,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "app/document/design.h"
 #include "app/panels/distortion_panel.h"
+#include "app/project/design.h"
 #include "core/mesh/cell_shape.h"
 #include "tests/support/bar.h"
 

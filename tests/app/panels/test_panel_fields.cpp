@@ -22,10 +22,6 @@
 #include <QWheelEvent>
 #include <QWindow>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/fields/magnitude_box.h"
 #include "app/panels/fields/number_box.h"
@@ -33,12 +29,16 @@
 #include "app/panels/fields/picture_tip.h"
 #include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
-#include "app/panels/look/theme.h"
 #include "app/panels/pin_list.h"
-#include "app/view/actions/toolbox.h"
-#include "app/view/files/file_workflow.h"
-#include "app/view/film/time_strip.h"
-#include "app/view/properties.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
+#include "app/style/theme.h"
+#include "app/window/actions/toolbox.h"
+#include "app/window/files/file_workflow.h"
+#include "app/window/film/time_strip.h"
+#include "app/window/properties.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 

@@ -5,11 +5,11 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "app/document/edits/depth_edits.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/region_edits.h"
-#include "app/document/project.h"
 #include "app/panels/region_list.h"
+#include "app/project/edits/depth_edits.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/region_edits.h"
+#include "app/project/project.h"
 #include "tests/support/bar.h"
 
 using namespace wend;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/session/motion/live_drag.h"
-#include "core/mesh/error.h"
+#include "app/engine/motion/live_drag.h"
+#include "core/base/error.h"
 #include "core/meshing/coarse_mesh.h"
 #include "kernels/back_end_choice.h"
 

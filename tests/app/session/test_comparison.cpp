@@ -3,16 +3,16 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/material_edits.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/options/settings.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/material_panel.h"
-#include "app/view/actions/backdrop_choice.h"
-#include "app/view/compare_view.h"
-#include "app/view/tile_pictures.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/material_edits.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/options/settings.h"
+#include "app/window/actions/backdrop_choice.h"
+#include "app/window/compare_view.h"
+#include "app/window/tile_pictures.h"
 #include "core/energy/distortion.h"
 #include "tests/support/solid_fixture.h"
 

@@ -5,16 +5,16 @@
 #include <QScrollBar>
 #include <QSlider>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/timing_edits.h"
+#include "app/engine/motion/drag_gesture.h"
 #include "app/panels/distortion_panel.h"
-#include "app/panels/look/pin_marks.h"
-#include "app/session/motion/drag_gesture.h"
-#include "app/view/actions/pin_actions.h"
-#include "app/view/film/time_ruler.h"
-#include "app/view/film/time_strip.h"
-#include "app/view/film/track_view.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/timing_edits.h"
+#include "app/style/pin_marks.h"
+#include "app/window/actions/pin_actions.h"
+#include "app/window/film/time_ruler.h"
+#include "app/window/film/time_strip.h"
+#include "app/window/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

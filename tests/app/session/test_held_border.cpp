@@ -3,13 +3,13 @@
 
 #include <QtTest>
 
-#include "app/document/domain.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/file/project_reader.h"
+#include "app/output/frame_export.h"
+#include "app/output/run.h"
+#include "app/project/domain.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/project/file/project_reader.h"
 #include "app/session/opening.h"
-#include "app/session/run/frame_export.h"
-#include "app/session/run/run.h"
 #include "app/session/settle_step.h"
 #include "core/integration/deformer.h"
 #include "tests/support/window_fixture.h"

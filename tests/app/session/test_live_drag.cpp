@@ -2,11 +2,11 @@
 
 #include <QtTest>
 
-#include "app/document/project.h"
-#include "app/session/motion/live_drag.h"
-#include "app/session/motion/shape_engine.h"
-#include "app/session/shape/held_border.h"
-#include "app/session/shape/shape_builder.h"
+#include "app/engine/motion/live_drag.h"
+#include "app/engine/motion/shape_engine.h"
+#include "app/engine/shape/held_border.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/project/project.h"
 #include "app/session/shape_session.h"
 #include "core/integration/deformer.h"
 #include "core/mesh/mesh_of_file.h"

@@ -3,14 +3,14 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/file/project_reader.h"
-#include "app/session/run/report.h"
-#include "app/session/run/run.h"
-#include "app/session/shape/inspection.h"
-#include "app/session/shape/solid.h"
-#include "core/mesh/error.h"
+#include "app/engine/shape/inspection.h"
+#include "app/engine/shape/solid.h"
+#include "app/output/report.h"
+#include "app/output/run.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/file/project_reader.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/used_vertices.h"
 #include "core/meshing/volume_mesher.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/view/canvas/render_thread.h"
+#include "app/views/canvas/render_thread.h"
 
 using namespace wend;
 

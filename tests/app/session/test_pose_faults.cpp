@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "app/session/shape/pose_faults.h"
-#include "app/session/shape/shape.h"
+#include "app/engine/shape/pose_faults.h"
+#include "app/engine/shape/shape.h"
 
 using namespace wend;
 

@@ -2,7 +2,7 @@
 #include <QToolButton>
 
 #include "app/panels/distortion_panel.h"
-#include "app/panels/look/marks.h"
+#include "app/style/marks.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 #include "tests/support/bar.h"

@@ -13,12 +13,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/document/file/project_reader.h"
-#include "app/session/run/rig.h"
-#include "app/session/run/rig_files.h"
-#include "app/session/run/run.h"
+#include "app/output/rig.h"
+#include "app/output/rig_files.h"
+#include "app/output/run.h"
+#include "app/project/file/project_reader.h"
+#include "core/base/error.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 
 using namespace wend;

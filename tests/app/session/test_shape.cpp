@@ -2,14 +2,14 @@
 
 #include <QtTest>
 
-#include "app/document/file/project_reader.h"
-#include "app/session/run/run.h"
-#include "app/session/shape/flat_shape.h"
-#include "app/session/shape/held_border.h"
-#include "app/session/shape/material_raster.h"
-#include "app/session/shape/shape_builder.h"
+#include "app/engine/shape/flat_shape.h"
+#include "app/engine/shape/held_border.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/output/run.h"
+#include "app/project/file/project_reader.h"
+#include "core/base/error.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 

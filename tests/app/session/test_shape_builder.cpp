@@ -3,12 +3,12 @@
 
 #include <QtTest>
 
-#include "app/document/domain.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/options/settings.h"
-#include "app/session/shape/flat_shape.h"
-#include "app/session/shape/shape_builder.h"
-#include "core/mesh/error.h"
+#include "app/engine/shape/flat_shape.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/project/domain.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/options/settings.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 #include "tests/support/mesh_files.h"

@@ -2,14 +2,14 @@
 
 #include <QtTest>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/file/project_reader.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/engine/shape/solid.h"
+#include "app/engine/shape/told_units.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/file/project_reader.h"
 #include "app/session/opening.h"
-#include "app/session/shape/shape_builder.h"
-#include "app/session/shape/solid.h"
-#include "app/session/shape/told_units.h"
-#include "core/mesh/error.h"
+#include "core/base/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/meshing/volume_mesher.h"
 #include "tests/app/cli/cli_harness.h"

@@ -4,13 +4,13 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "app/document/domain.h"
 #include "app/panels/fields/magnitude_box.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
+#include "app/project/domain.h"
 #include "app/session/opening.h"
-#include "app/view/actions/toolbox.h"
-#include "app/view/notices/info_banner.h"
+#include "app/window/actions/toolbox.h"
+#include "app/window/notices/info_banner.h"
 #include "core/mesh/quality.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"

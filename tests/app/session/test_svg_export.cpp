@@ -10,16 +10,16 @@
 #include <fstream>
 #include <pugixml.hpp>
 
-#include "app/document/domain.h"
-#include "app/document/edits/drawing_size.h"
-#include "app/document/file/project_reader.h"
-#include "app/document/file/project_writer.h"
-#include "app/document/project.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/output/run.h"
+#include "app/project/domain.h"
+#include "app/project/edits/drawing_size.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
+#include "app/project/project.h"
 #include "app/session/opening.h"
-#include "app/session/run/run.h"
-#include "app/session/shape/shape_builder.h"
+#include "core/base/error.h"
 #include "core/integration/deformer.h"
-#include "core/mesh/error.h"
 #include "tests/support/pictures.h"
 
 using namespace wend;

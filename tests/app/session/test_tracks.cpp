@@ -12,17 +12,17 @@
 #include <cstring>
 #include <numbers>
 
-#include "app/document/design.h"
-#include "app/document/edits/film_edits.h"
-#include "app/document/edits/key_edits.h"
-#include "app/document/file/project_writer.h"
 #include "app/panels/film_panel.h"
+#include "app/project/design.h"
+#include "app/project/edits/film_edits.h"
+#include "app/project/edits/key_edits.h"
+#include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
 #include "app/session/pins/key_poses.h"
-#include "app/view/film/sound_track.h"
-#include "app/view/film/time_ruler.h"
-#include "app/view/film/time_scale.h"
-#include "app/view/film/track_view.h"
+#include "app/window/film/sound_track.h"
+#include "app/window/film/time_ruler.h"
+#include "app/window/film/time_scale.h"
+#include "app/window/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

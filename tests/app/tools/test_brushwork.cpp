@@ -8,10 +8,10 @@
 #include <QToolBar>
 #include <QUndoStack>
 
-#include "app/document/design.h"
-#include "app/document/edits/material_edits.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/layer_panel.h"
+#include "app/project/design.h"
+#include "app/project/edits/material_edits.h"
 #include "tests/support/paint_test.h"
 
 using namespace wend;

@@ -3,14 +3,14 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/document/domain.h"
-#include "app/document/edits/size_edits.h"
+#include "app/engine/motion/fields.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/magnitude_box.h"
 #include "app/panels/fields/region_numbers.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/size_panel.h"
-#include "app/session/motion/fields.h"
+#include "app/project/domain.h"
+#include "app/project/edits/size_edits.h"
 #include "app/session/opening.h"
 #include "tests/support/solid_fixture.h"
 

@@ -1,7 +1,7 @@
 #include <QFile>
 #include <QSignalSpy>
 
-#include "app/document/edits/material_edits.h"
+#include "app/project/edits/material_edits.h"
 #include "app/tools/paint/layer_lines.h"
 #include "tests/support/paint_test.h"
 

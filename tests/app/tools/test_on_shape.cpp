@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/view/canvas/cell_filler.h"
-#include "app/view/canvas/render_thread.h"
+#include "app/views/canvas/cell_filler.h"
+#include "app/views/canvas/render_thread.h"
 #include "core/energy/distortion.h"
 
 using namespace wend;

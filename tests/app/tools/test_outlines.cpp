@@ -4,11 +4,11 @@
 #include <map>
 #include <numbers>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/file/project_reader.h"
-#include "app/session/shape/held_border.h"
-#include "app/session/shape/shape_builder.h"
+#include "app/engine/shape/held_border.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/file/project_reader.h"
 #include "core/integration/deformer.h"
 #include "core/integration/integration_options.h"
 

@@ -1,11 +1,11 @@
 #include <QToolButton>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/material_edits.h"
+#include "app/engine/motion/pose_places.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
-#include "app/session/motion/pose_places.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/material_edits.h"
 #include "app/session/opening.h"
 #include "app/tools/paint/layer_lines.h"
 #include "tests/support/paint_test.h"

@@ -2,9 +2,9 @@
 #include <QStatusBar>
 #include <QUndoStack>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/pin_edits.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/pin_edits.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/tools/tool.h"
 #include "tests/support/solid_fixture.h"

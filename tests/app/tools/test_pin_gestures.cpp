@@ -8,9 +8,9 @@
 #include <QToolBar>
 #include <numbers>
 
-#include "app/document/design.h"
+#include "app/project/design.h"
 #include "app/tools/pins/pin_tool.h"
-#include "app/view/actions/pin_actions.h"
+#include "app/window/actions/pin_actions.h"
 #include "tests/support/bar.h"
 
 using namespace wend;

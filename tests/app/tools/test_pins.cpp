@@ -10,20 +10,20 @@
 #include <QToolBar>
 #include <QTreeWidget>
 
-#include "app/document/design.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/file/project_writer.h"
-#include "app/panels/look/marks.h"
+#include "app/engine/shape/material_raster.h"
 #include "app/panels/pin_list.h"
-#include "app/session/mark_size.h"
+#include "app/project/design.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
-#include "app/session/shape/material_raster.h"
+#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/paint/paint_tool.h"
 #include "app/tools/paint/stiffness_marks.h"
 #include "app/tools/velocity_arrows.h"
-#include "app/view/actions/pin_actions.h"
-#include "app/view/volume/glyphs.h"
+#include "app/views/volume/glyphs.h"
+#include "app/window/actions/pin_actions.h"
 #include "tests/support/bar.h"
 #include "tests/support/dialogs.h"
 

@@ -4,10 +4,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/document/domain.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/file/project_reader.h"
 #include "app/panels/pin_list.h"
+#include "app/project/domain.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/file/project_reader.h"
 #include "tests/support/bar.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/random_hand.h"

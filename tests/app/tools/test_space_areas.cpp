@@ -2,14 +2,14 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
-#include "app/document/design.h"
-#include "app/document/edits/material_edits.h"
+#include "app/engine/motion/pose_places.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/region_panel.h"
-#include "app/session/motion/pose_places.h"
+#include "app/project/design.h"
+#include "app/project/edits/material_edits.h"
 #include "app/tools/measure_tool.h"
-#include "app/view/actions/pin_actions.h"
+#include "app/window/actions/pin_actions.h"
 #include "core/motion/trajectory.h"
 #include "tests/support/solid_fixture.h"
 

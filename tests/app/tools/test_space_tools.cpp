@@ -1,11 +1,11 @@
 #include <QDoubleSpinBox>
 
-#include "app/document/design.h"
-#include "app/document/edits/curve_edits.h"
 #include "app/panels/handle_panel.h"
+#include "app/project/design.h"
+#include "app/project/edits/curve_edits.h"
 #include "app/session/pins/curve_making.h"
-#include "app/view/actions/curve_actions.h"
-#include "app/view/actions/pin_actions.h"
+#include "app/window/actions/curve_actions.h"
+#include "app/window/actions/pin_actions.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

@@ -2,14 +2,14 @@
 #include <QListWidget>
 #include <QSignalSpy>
 
-#include "app/document/design.h"
-#include "app/document/edits/curve_edits.h"
-#include "app/document/edits/material_edits.h"
 #include "app/panels/curve_panel.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"
-#include "app/view/actions/curve_actions.h"
+#include "app/project/design.h"
+#include "app/project/edits/curve_edits.h"
+#include "app/project/edits/material_edits.h"
+#include "app/window/actions/curve_actions.h"
 #include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
 

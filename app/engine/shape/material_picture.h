@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/project/design.h"
+#include "app/project/project_fwd.h"
+#include "warp/image.h"
+
+namespace wend {
+
+/// The meaning of the grey values of a material picture. Keep: φ, black Area, one third Length, two thirds
+/// Rigid, white Angle, linear in φ between them. Stiffness: black ×1 to white ×1000, logarithmic. Direction:
+/// the counter-clockwise angle to the horizontal, black 0°, mid grey 90°, white 180° (equal to 0°). Values
+/// are read without gamma or profile. Transparent pixels keep the existing material.
+enum class MaterialPart { Keep, Stiffness, Direction };
+inline constexpr double kStiffestGray = 1000;
+
+inline constexpr std::array kMaterialParts{MaterialPart::Keep, MaterialPart::Stiffness,
+                                           MaterialPart::Direction};
+
+/// Returns the member that names the file of a part.
+std::string MaterialPictures::*fileOf(MaterialPart part);
+
+/// Placement of material pictures: over the shape's picture pixel by pixel, or around its mesh.
+struct PictureFrame {
+    Box<2> box{Vec<2>::Zero(), Vec<2>::Zero()};
+    bool up = false;  // the first row has the largest y
+    int width = 0, height = 0;
+};
+/// `width` and `height`: of the picture that is the domain; 0: of a mesh.
+PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest);
+/// The same without a scene; reads the picture's header or the mesh. Throws InputError.
+PictureFrame pictureFrame(const Domain& domain, const std::string& folder);
+
+/// Gray and alpha in 16 bits; transparent where the shape is not.
+Image materialPicture(MaterialPart part, const PictureFrame& frame, const SimplicialMesh<2>& rest,
+                      const Material<2>& material);
+
+/// Such pictures upon a material: every cell takes the mean of the pixels in it. Throws InputError.
+void layPictures(const MaterialRegion<2>& region, const SimplicialMesh<2>& rest, const std::string& folder,
+                 Material<2>& material);
+
+}  // namespace wend

@@ -1,0 +1,261 @@
+#include "app/engine/shape/material_raster.h"
+
+#include <algorithm>
+#include <ranges>
+
+#include "app/engine/shape/material_picture.h"
+#include "app/project/edits/material_edits.h"
+#include "app/project/file/named_files.h"
+#include "core/base/error.h"
+#include "core/mesh/decompositions.h"
+#include "core/mesh/triangle_tree.h"
+#include "core/motion/guide_surface.h"
+
+namespace wend {
+namespace {
+
+template <int Dim>
+Vec<Dim> centroid(const SimplicialMesh<Dim>& mesh, int cell) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int vertex : mesh.cells[cell]) sum += mesh.points.col(vertex);
+    return sum / (Dim + 1);
+}
+
+void requireCount(const char* key, std::size_t count, int cells) {
+    if (count == 0 || count == static_cast<std::size_t>(cells)) return;
+    throw InputError(std::string("material.cells.") + key + ": has " + std::to_string(count) +
+                     " entries, but the mesh has " + std::to_string(cells) + " cells");
+}
+
+/// The values per cell, from the spec or the file that it names.
+template <int Dim>
+MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, int cells) {
+    const bool fromFile = !spec.cellsFile.empty() && spec.cellPhi.empty() && spec.cellB.empty();
+    const std::string path = fromFile ? pathIn(folder, spec.cellsFile) : std::string();
+    if (fromFile) readCells<Dim>(path, spec);
+    try {
+        requireCount("phi", spec.cellPhi.size(), cells);
+        requireCount("B", spec.cellB.size(), cells);
+    } catch (const InputError& error) {
+        throw error.named(path);
+    }
+    return spec;
+}
+
+/// The points at which cell values are taken. Neighbours in the list are mostly neighbours in the shape, so a
+/// bounding box around every few of them speeds up queries.
+template <int Dim>
+class Centres {
+  public:
+    explicit Centres(const SimplicialMesh<Dim>& rest) : m_at(Dim, rest.cellCount()), m_parts(rest.parts) {
+        for (int c = 0; c < rest.cellCount(); ++c) m_at.col(c) = centroid(rest, c);
+        for (int first = 0; first < rest.cellCount(); first += kBlock) {
+            const auto block = m_at.middleCols(first, std::min<Eigen::Index>(kBlock, m_at.cols() - first));
+            m_boxes.push_back({block.rowwise().minCoeff(), block.rowwise().maxCoeff()});
+        }
+    }
+    /// The cells that a region reaches with its soft edge, with how far they belong to it.
+    template <class Take>
+    void forCellsIn(const MaterialRegion<Dim>& region, const Take& take) const {
+        const auto [begin, end] = cellsOf(region.part);
+        for (std::size_t b = 0; b < m_boxes.size(); ++b) {
+            const int first = static_cast<int>(b) * kBlock;
+            if (first >= end || first + kBlock <= begin || endsBefore(region, m_boxes[b])) continue;
+            for (int c = std::max(first, begin); c < std::min(first + kBlock, end); ++c) {
+                const double m = membership<Dim>(region.shape, m_at.col(c), region.feather);
+                if (m > 0) take(c, m);
+            }
+        }
+    }
+
+  private:
+    static constexpr int kBlock = 16;
+
+    /// Returns the range of a part's cells; of all if no part is named.
+    std::pair<int, int> cellsOf(const std::string& name) const {
+        if (name.empty()) return {0, static_cast<int>(m_at.cols())};
+        const auto part = std::ranges::find(m_parts, name, &MeshPart::name);
+        return part == m_parts.end() ? std::pair(0, 0) : std::pair(part->firstCell, part->endCell);
+    }
+
+    static bool endsBefore(const MaterialRegion<Dim>& region, const Box<Dim>& box) {
+        const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
+        if (!ball) return false;
+        const double reach = (1 + 1e-9) * (ball->radius + region.feather / 2);  // membership() rounds
+        return (ball->centre - ball->centre.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm() >
+               reach * reach;
+    }
+
+    Points<Dim> m_at;
+    std::vector<MeshPart> m_parts;
+    std::vector<Box<Dim>> m_boxes;
+};
+
+/// The normals of a wall, and distances from it.
+template <int Dim>
+class WallNormals {
+  public:
+    explicit WallNormals(const GuideMesh<Dim>& wall)
+        : m_surface(wall), m_points(Points<3>::Zero(3, wall.points.cols())) {
+        m_points.template topRows<Dim>() = wall.points;
+        m_facets = wall.triangles;
+        for (const auto& [a, b] : wall.segments) m_facets.push_back({a, b, b});
+        m_tree = TriangleTree(m_points, m_facets);
+    }
+    Vec<Dim> normal(const Vec<Dim>& p) const {
+        return m_surface.contact(Dim == 2 ? Track::Line : Track::Face, p).normals.col(0);
+    }
+    double distance(const Vec<Dim>& p) const {
+        Vec<3> at = Vec<3>::Zero();
+        at.head<Dim>() = p;
+        const TriangleTree::Nearest nearest = m_tree.nearest(at);
+        for (int k = 0; k < 3; ++k)
+            at -= nearest.weights[k] *
+                  m_points.col(
+                      m_facets[static_cast<std::size_t>(nearest.triangle)][static_cast<std::size_t>(k)]);
+        return at.norm();
+    }
+
+  private:
+    const GuideSurface<Dim> m_surface;
+    Points<3> m_points;
+    std::vector<std::array<int, 3>> m_facets;  // a segment is a triangle of no area
+    TriangleTree m_tree;
+};
+
+/// Lays layers upon a material, each a run of regions of one name.
+template <int Dim>
+class MaterialLayers {
+  public:
+    MaterialLayers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
+        : m_rest(rest), m_folder(folder), m_centres(rest), m_material(material) {}
+
+    void lay(std::span<const MaterialRegion<Dim>> regions) {
+        while (!regions.empty()) {
+            const std::size_t count = layerEnd<Dim>(regions);
+            const auto layer = regions.first(count);
+            layLayer(layer, std::ranges::any_of(layer, &MaterialRegion<Dim>::erases));
+            regions = regions.subspan(count);
+        }
+    }
+    void layLayer(std::span<const MaterialRegion<Dim>> layer, bool covers) {
+        m_cover.clear();
+        if (covers) m_below = m_material, m_cover.assign(m_rest.cells.size(), 0);
+        for (const auto& region : layer) {
+            if (region.hidden) continue;
+            region.erases() ? erase(region) : layRegion(region);
+        }
+    }
+    /// Returns how much the last layer covers each cell, if requested.
+    const std::vector<double>& cover() const { return m_cover; }
+
+  private:
+    void layRegion(const MaterialRegion<Dim>& region) {
+        if (!m_cover.empty())
+            m_centres.forCellsIn(region, [&](int c, double m) { m_cover[c] += m * (1 - m_cover[c]); });
+        if constexpr (Dim == 2)
+            if (region.pictures.any()) return layPictures(region, m_rest, m_folder, m_material);
+        if (region.phi)
+            m_centres.forCellsIn(
+                region, [&](int c, double m) { m_material.phi[c] += m * (*region.phi - m_material.phi[c]); });
+        if (!region.stiffness) return;
+        if (m_material.anisotropy.empty())
+            m_material.anisotropy.assign(m_rest.cells.size(), Mat<Dim>::Identity());
+        if (region.stiffness->facets) return layAlongWall(region, *region.stiffness);
+        const Mat<Dim> B = anisotropyOf<Dim>(*region.stiffness);
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * B;
+        });
+    }
+    /// The axis of every cell is the wall's normal at the place nearest to its centroid.
+    void layAlongWall(const MaterialRegion<Dim>& region, Stiffness<Dim> stiffness) {
+        const WallNormals<Dim> wall(*stiffness.facets);
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            const Vec<Dim> centre = centroid(m_rest, c);
+            if (wall.distance(centre) > stiffness.within) return;
+            stiffness.axis = wall.normal(centre);
+            m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * anisotropyOf<Dim>(stiffness);
+        });
+    }
+    /// Reduces the layer's cover to what is left, and the material's difference from the layer below
+    /// accordingly.
+    void erase(const MaterialRegion<Dim>& region) {
+        m_centres.forCellsIn(region, [&](int c, double m) {
+            const double before = m_cover[c];
+            m_cover[c] = (1 - m) * before + m * std::min(before, region.leaves);
+            if (m_cover[c] == before) return;
+            const double kept = m_cover[c] / before;
+            m_material.phi[c] = kept * m_material.phi[c] + (1 - kept) * m_below.phi[c];
+            if (m_material.anisotropy.empty()) return;
+            const Mat<Dim> B =
+                m_below.anisotropy.empty() ? Mat<Dim>::Identity().eval() : m_below.anisotropy[c];
+            m_material.anisotropy[c] = kept * m_material.anisotropy[c] + (1 - kept) * B;
+        });
+    }
+
+    const SimplicialMesh<Dim>& m_rest;
+    const std::string& m_folder;
+    Centres<Dim> m_centres;
+    Material<Dim>& m_material;
+    Material<Dim> m_below;
+    std::vector<double> m_cover;
+};
+
+}  // namespace
+
+/// Returns B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
+template <int Dim>
+Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
+    const Vec<Dim> a = stiffness.axis.stableNormalized();
+    return Mat<Dim>::Identity() + (stiffness.ratio - 1) * a * a.transpose();
+}
+
+template <int Dim>
+Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
+    const auto [axes, values] = principalAxes<Dim>(B);
+    return {axes.col(Dim - 1), values[Dim - 1] / values[0]};
+}
+
+template <int Dim>
+void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
+                const std::string& folder, Material<Dim>& material) {
+    MaterialLayers<Dim>(rest, folder, material).lay(regions);
+}
+
+template <int Dim>
+std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
+                            const std::string& folder) {
+    auto material = Material<Dim>::uniform(rest.cellCount(), phi::kMetr);
+    MaterialLayers<Dim> layers(rest, folder, material);
+    layers.layLayer(layer, true);
+    return layers.cover();
+}
+
+template <int Dim>
+std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& given,
+                                                       const SimplicialMesh<Dim>& rest,
+                                                       const std::string& folder) {
+    const MaterialSpec<Dim> spec = withCells(given, folder, rest.cellCount());
+    auto material =
+        std::make_shared<Material<Dim>>(Material<Dim>::uniform(rest.cellCount(), spec.phi, spec.smoothing));
+    material->memory = spec.memory;
+    if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
+    material->anisotropy = spec.cellB;
+    layRegions<Dim>(spec.regions, rest, folder, *material);
+    return material;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                       \
+    template Mat<Dim> anisotropyOf<Dim>(const Stiffness<Dim>&);                                     \
+    template Stiffness<Dim> stiffnessOf<Dim>(const Mat<Dim>&);                                      \
+    template void layRegions<Dim>(std::span<const MaterialRegion<Dim>>, const SimplicialMesh<Dim>&, \
+                                  const std::string&, Material<Dim>&);                              \
+    template std::vector<double> coverOf<Dim>(std::span<const MaterialRegion<Dim>>,                 \
+                                              const SimplicialMesh<Dim>&, const std::string&);      \
+    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                           \
+        const MaterialSpec<Dim>&, const SimplicialMesh<Dim>&, const std::string&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

@@ -1,0 +1,91 @@
+#include "app/engine/shape/mesh_parts.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/base/disjoint_sets.h"
+#include "core/mesh/boundary_loops.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kRoom = 1e-3;  // fraction of the extent by which a region exceeds its contents
+
+template <int Dim>
+Box<Dim> boxAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {
+    Box<Dim> box{Vec<Dim>::Constant(INFINITY), Vec<Dim>::Constant(-INFINITY)};
+    for (const int c : cells)
+        for (const int v : mesh.cells[c]) {
+            box.min = box.min.cwiseMin(mesh.points.col(v));
+            box.max = box.max.cwiseMax(mesh.points.col(v));
+        }
+    const double room = kRoom * (box.max - box.min).norm();
+    return {box.min.array() - room, box.max.array() + room};
+}
+
+double twiceArea(const std::vector<Vec<2>>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return std::abs(twice);
+}
+
+/// Returns the largest loop of the boundary of some cells.
+Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<int>& cells) {
+    SimplicialMesh<2> part{mesh.points, {}};
+    for (const int c : cells) part.cells.push_back(mesh.cells[c]);
+    Polygon best;
+    for (auto& loop : boundaryLoops(part))
+        if (twiceArea(loop) > twiceArea(best.points)) best.points = std::move(loop);
+    return best;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell) {
+    DisjointSets sets(mesh.cellCount());
+    for (const Facet<Dim>& facet : facetsOf(mesh))
+        if (facet.interior()) sets.join(facet.cells[0], facet.cells[1]);
+    std::vector<int> part;
+    for (int c = 0; c < mesh.cellCount(); ++c)
+        if (sets.root(c) == sets.root(cell)) part.push_back(c);
+    return part;
+}
+
+template <int Dim>
+std::string partNameOf(const SimplicialMesh<Dim>& mesh, int cell) {
+    for (const MeshPart& part : mesh.parts)
+        if (part.firstCell <= cell && cell < part.endCell) return part.name;
+    return {};
+}
+
+template <int Dim>
+Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh) {
+    std::vector<int> all(mesh.cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    return boxAround(mesh, all);
+}
+
+template <int Dim>
+Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells) {
+    if constexpr (Dim == 2) {
+        return outlineOf(mesh, cells);
+    } else {
+        return boxAround(mesh, cells);
+    }
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                    \
+    template std::vector<int> partOf<Dim>(const SimplicialMesh<Dim>&, int);                      \
+    template std::string partNameOf<Dim>(const SimplicialMesh<Dim>&, int);                       \
+    template Region<Dim> regionAround<Dim>(const SimplicialMesh<Dim>&, const std::vector<int>&); \
+    template Region<Dim> regionOfAll<Dim>(const SimplicialMesh<Dim>&)
+WEND_INSTANTIATE(2);
+WEND_INSTANTIATE(3);
+#undef WEND_INSTANTIATE
+
+}  // namespace wend

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/engine/shape/depth.h"
+#include "app/engine/shape/shape.h"
+#include "app/output/film_outputs.h"
+#include "app/output/pose_file.h"
+#include "app/output/run.h"
+#include "app/output/svg_export.h"
+#include "kernels/back_end_choice.h"
+#include "warp/sampling.h"
+
+namespace wend {
+
+class OutputSet;
+class WarpedPicture;
+struct WarpOptions;
+
+/// Writes the pictures of a run: those of its end, frames, films, ST maps and the material.
+class PictureOutput {
+  public:
+    /// `path` is that of the project. All arguments but `film` must outlive this object.
+    PictureOutput(const Project& project, const std::string& path, const Shape<2>& shape,
+                  const RunOptions& options, const RunWatch& watch, const SharedDevice& device,
+                  OutputSet& files, FilmOptions film);
+
+    /// Writes the pictures and ST maps of a pose (2 × n) at a time. Throws InputError and Cancelled.
+    void write(double time, const Points<2>& pose);
+    void writeMaterial();
+    /// Writes a frame, or keeps its pose until all frames are known, for a canvas that fits them. Throws
+    /// InputError and Cancelled.
+    void takeFrame(int number, double time, const Points<2>& pose);
+    /// Limits the frames that takeFrame() keeps and writes later to those from `begin` to before `end`.
+    void setShare(int begin, int end) { m_share = {begin, end}; }
+    /// Writes the frames that takeFrame() has kept. Throws InputError and Cancelled.
+    void writeWaitingFrames();
+    void writeFilms();
+    void discardFilms() { m_films.discard(); }
+
+    /// Returns the canvas of the last picture.
+    const std::optional<View>& canvas() const { return m_canvas; }
+    /// Returns the order of the cells at a time.
+    const std::vector<float>& depths(double time);
+
+  private:
+    WarpOptions warpOptions(double time, const std::function<void(double)>& progress);
+    WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
+                         const std::function<void(double)>& progress);
+    std::function<void(double)> warping(double from, double to) const;
+    Extent<2> extent(const Points<2>& pixels) const;
+    void writeLayers(const std::string& file, double time, const Points<2>& pixels, const View& view);
+    void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view);
+    void writePicture(const std::string& file, const WarpedPicture& picture) const;
+    void writeFrame(int number, double time, const Points<2>& pixels, const View& view,
+                    const std::function<void(double)>& progress);
+    void tell(const std::string& work, double fraction) const;
+
+    const Project& m_project;
+    const std::string& m_path;
+    const Shape<2>& m_shape;
+    const RunOptions& m_options;
+    const RunWatch& m_watch;
+    const SharedDevice& m_device;
+    OutputSet& m_files;
+    FilmOutputs m_films;
+    CellDepths m_depths;
+    std::optional<View> m_canvas;
+    MakeCellPainter m_painters;         // made with the first picture
+    std::optional<PoseFile> m_waiting;  // frames, in pixels of the picture
+    std::vector<double> m_times;        // of these
+    Extent<2> m_allFrames;              // around these
+    std::optional<std::pair<int, int>> m_share;
+    std::optional<SvgExport> m_svg;  // made with the first SVG file
+};
+
+}  // namespace wend

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/project/project_fwd.h"
+#include "core/base/message.h"
+#include "core/mesh/simplicial_mesh.h"
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// A project with the motion of another one, and messages for the user.
+struct TransferredMotion {
+    std::shared_ptr<Project> project;
+    std::vector<Message> notices;
+};
+
+/// A project with its rest shape, and its handles with vertices in the numbers of that shape.
+template <int Dim>
+struct HeldShape {
+    const Project& project;
+    const SimplicialMesh<Dim>& rest;
+    std::vector<Handle<Dim>> handles;
+};
+
+/// Returns `target` with the motion of `source`: the motions of handles of the same name (of several, in
+/// their order), the end, rate, cycle, settling and memory. Lengths are scaled by the ratio of the sizes of
+/// both rest shapes (ShapeSize), about the handles' places at rest, which stay; angles and times are the
+/// source's. A handle that the target lacks is added at the same place in proportion to both bounding boxes,
+/// or left out where there is nothing; one that the source lacks holds still. `folder`: that of the target's
+/// files. Throws InputError for a handle of the source without a place.
+template <int Dim>
+TransferredMotion withMotionOf(const HeldShape<Dim>& source, const HeldShape<Dim>& target,
+                               const std::string& folder);
+
+}  // namespace wend

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/project/part.h"
+#include "app/project/project_fwd.h"
+#include "core/mesh/region.h"
+
+namespace wend {
+
+/// The parts of a picture in another order: the one at `from` comes to the place `to`.
+std::vector<PicturePart> withPartMoved(std::vector<PicturePart> parts, int from, int to);
+
+/// A project in which a part has another name, wherever it is named: by joints, riders, cuts and handles.
+std::shared_ptr<const Project> withPartName(const Project& project, int part, const std::string& name);
+
+/// An area of a part that becomes a part of its own.
+struct NewPart {
+    std::string name;
+    std::string from;  // the part, or the name that the whole picture gets if it has no parts yet
+    Outline cut;
+    double feather = 0;                // of its edge
+    std::optional<Vec<2>> joint;       // where it is welded to the other one
+    std::optional<Box<2>> heldGround;  // what a new handle holds of the other one
+};
+
+/// A project with a new part in front of the one that it is cut from, which is filled behind it.
+std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made);
+
+int partCount(const Project& project);
+
+/// Returns the project with the outline of a part, and the vertices that are set for it, in the place of
+/// those of the whole picture: the settings of its domain are the part's.
+std::shared_ptr<Project> asWhole(const Project& project, int part);
+
+/// Returns a project in which a part has an outline of its own, or a number of vertices.
+std::shared_ptr<const Project> withPartOutline(const Project& project, int part, PartOutline outline);
+std::shared_ptr<const Project> withPartVertices(const Project& project, int part, int vertices);
+
+/// Returns whether a part has an outline or vertices of its own, and a project in which it has those of all
+/// again, or of what is cut out.
+bool hasOwnOutline(const PicturePart& part);
+std::shared_ptr<const Project> withoutOwnOutline(const Project& project, int part);
+
+/// Returns a project in which a part is in front of all others from a time on, or behind all.
+std::shared_ptr<const Project> withPartInFront(const Project& project, int part, double time, bool front);
+
+/// Returns a project of the picture in that file, in place of its parts.
+std::shared_ptr<const Project> withoutParts(const Project& project, const std::string& path);
+
+/// Returns whether a part may be attached to another one: the chain must end at a part with a mesh, and
+/// joints need one.
+bool mayRide(const std::vector<PicturePart>& parts, int part, int on);
+
+}  // namespace wend

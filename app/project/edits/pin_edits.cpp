@@ -1,0 +1,86 @@
+#include "app/project/edits/pin_edits.h"
+#include "app/project/design.h"
+
+#include <algorithm>
+
+namespace wend {
+
+namespace {
+
+HandleTraits& traitsIn(AnyDesign& design, int handle) {
+    return std::visit([handle](auto& own) -> HandleTraits& { return own.handles.at(handle).traits; }, design);
+}
+
+int countOf(const AnyDesign& design) {
+    return static_cast<int>(std::visit([](const auto& own) { return own.handles.size(); }, design));
+}
+
+template <class Test>
+std::vector<int> handlesWhere(const AnyDesign& design, Test test) {
+    std::vector<int> found;
+    for (int h = 0; h < countOf(design); ++h)
+        if (test(h, traitsOf(design, h))) found.push_back(h);
+    return found;
+}
+
+bool contains(const std::vector<int>& handles, int handle) {
+    return std::find(handles.begin(), handles.end(), handle) != handles.end();
+}
+
+}  // namespace
+
+const HandleTraits& traitsOf(const AnyDesign& design, int handle) {
+    return std::visit(
+        [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; }, design);
+}
+
+AnyDesign withTraits(const AnyDesign& design, const std::vector<int>& handles,
+                     const std::function<void(HandleTraits&)>& change) {
+    AnyDesign next = design;
+    for (const int h : handles) change(traitsIn(next, h));
+    return next;
+}
+
+std::vector<int> withLinked(const AnyDesign& design, std::vector<int> handles) {
+    const auto moves = [&](int h, const HandleTraits& traits) {
+        return contains(handles, h) ||
+               (traits.link > 0 && std::any_of(handles.begin(), handles.end(), [&](int other) {
+                    return traitsOf(design, other).link == traits.link;
+                }));
+    };
+    return handlesWhere(design, moves);
+}
+
+bool isLinked(const AnyDesign& design, int handle) {
+    return withLinked(design, {handle}).size() > 1;
+}
+
+AnyDesign withLink(const AnyDesign& design, const std::vector<int>& handles) {
+    int maximum = 0;
+    for (int h = 0; h < countOf(design); ++h) maximum = std::max(maximum, traitsOf(design, h).link);
+    return withTraits(design, withLinked(design, handles),
+                      [link = maximum + 1](HandleTraits& traits) { traits.link = link; });
+}
+
+AnyDesign withoutLink(const AnyDesign& design, const std::vector<int>& handles) {
+    const auto unlink = [](HandleTraits& traits) { traits.link = 0; };
+    const AnyDesign next = withTraits(design, handles, unlink);
+    return withTraits(next, handlesWhere(next, [&](int h, const auto&) { return !isLinked(next, h); }),
+                      unlink);
+}
+
+std::vector<std::string> groupNames(const AnyDesign& design) {
+    std::vector<std::string> names;
+    for (int h = 0; h < countOf(design); ++h) {
+        const std::string& group = traitsOf(design, h).group;
+        if (!group.empty() && std::find(names.begin(), names.end(), group) == names.end())
+            names.push_back(group);
+    }
+    return names;
+}
+
+std::vector<int> handlesOfGroup(const AnyDesign& design, const std::string& group) {
+    return handlesWhere(design, [&](int, const HandleTraits& traits) { return traits.group == group; });
+}
+
+}  // namespace wend

@@ -1,0 +1,98 @@
+#include "app/project/edits/scaled_project.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/project/edits/carried_motion.h"
+#include "app/project/file/named_files.h"
+#include "app/project/project.h"
+#include "core/base/error.h"
+#include "warp/drawn_picture.h"
+
+namespace wend {
+namespace {
+
+using Scaling = Carrying<2>;
+
+void scale(Outline& outline, double factor) {
+    for (auto& loop : outline.loops)
+        for (Vec<2>& p : loop) p *= factor;
+}
+
+void scale(AlphaOutlineOptions& options, double factor) {
+    constexpr double kMostPixels = 100;  // of the range of these options
+    for (double* length : {&options.margin, &options.gap, &options.simplify})
+        *length = std::min(*length * factor, std::max(*length, kMostPixels));
+    options.smallest *= factor * factor;
+}
+
+void scale(PicturePart& part, double factor) {
+    scale(part.cut, factor);
+    part.feather *= factor;
+    if (part.outline) scale(part.outline->alpha, factor), scale(part.outline->polygons, factor);
+    if (part.at) *part.at *= factor;
+    for (Joint& joint : part.joints) joint.at *= factor, joint.radius *= factor;
+}
+
+void scale(Handle<2>& handle, const Scaling& scaling) {
+    if (auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at))
+        for (Vec<2>& p : *points) p = scaling(p);
+    if (auto* region = std::get_if<Region<2>>(&handle.at)) *region = carried<2>(*region, scaling);
+    for (Motion<2>& motion : handle.motions) motion = carried<2>(motion, scaling);
+}
+
+}  // namespace
+
+void scalePixels(Project& project, double factor) {
+    if (factor == 1 || project.dimension() != 2) return;
+    const Scaling scaling{Vec<2>::Zero(), Vec<2>::Zero(), factor};
+    Domain& domain = project.domain;
+    domain.edge *= factor;
+    scale(domain.alpha, factor);
+    scale(domain.polygons, factor);
+    for (PicturePart& part : domain.parts) scale(part, factor);
+    for (auto& region : domain.flatSizes)
+        region.shape = carried<2>(region.shape, scaling), region.feather *= factor;
+    for (DepthRegion& region : project.depth) region.shape = carried<2>(region.shape, scaling);
+    auto& design = designOf<2>(project);
+    for (auto& region : design.material.regions)
+        region.shape = carried<2>(region.shape, scaling), region.feather *= factor;
+    for (Handle<2>& handle : design.handles) scale(handle, scaling);
+}
+
+double factorBetween(const std::array<int, 2>& from, const std::array<int, 2>& to) {
+    if (from[0] <= 0 || from[1] <= 0 || to[0] <= 0 || to[1] <= 0) return 0;
+    const double factor = static_cast<double>(to[0]) / from[0];
+    const double pixel = std::max(1.0, factor);  // of the smaller picture, by which sizes are rounded
+    return std::abs(from[1] * factor - to[1]) <= pixel ? factor : 0;
+}
+
+Message fitToPicture(Project& project, const std::string& folder) {
+    Domain& domain = project.domain;
+    if (domain.kind != DomainKind::Image || domain.size[0] == 0 || domain.path.empty()) return {};
+    std::array<int, 2> now{};
+    try {
+        const Image header = readImageHeader(pathIn(folder, domain.path), domain.size);
+        now = {header.width, header.height};
+    } catch (const InputError&) {
+        return {};
+    }
+    if (now == domain.size) return {};
+    const double factor = factorBetween(domain.size, now);
+    const std::string name = std::filesystem::path(domain.path).filename().string();
+    const auto notice = [name, now, made = domain.size](const Sentence& what) {
+        return Message(what, name, now[0], now[1], made[0], made[1]);
+    };
+    if (factor == 0)
+        return notice(
+            sentence("Core",
+                     "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths stay "
+                     "where they are"));
+    scalePixels(project, factor);
+    domain.size = now;
+    return notice(sentence(
+        "Core", "%1 has %2 × %3 pixels, and the project was made for %4 × %5: pins and paths are scaled"));
+}
+
+}  // namespace wend

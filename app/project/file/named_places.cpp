@@ -1,0 +1,317 @@
+#include "app/project/file/named_places.h"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <set>
+
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/file/named_files.h"
+#include "app/project/file/text_file.h"
+#include "app/project/project.h"
+#include "core/base/error.h"
+#include "core/mesh/group_normal.h"
+#include "core/mesh/group_vertices.h"
+#include "core/mesh/mesh_of_file.h"
+
+namespace wend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char *kPlace = "/at", *kAxis = "/axis", *kHeld = "/hold/normal";
+constexpr std::string_view kNormalOf = "normal of ";
+
+std::string* nameAt(Extras& extras, std::string_view at) {
+    for (auto& [pointer, text] : extras)
+        if (pointer == at) return &text;
+    return nullptr;
+}
+
+/// Numbers between blanks or commas; # begins a comment.
+std::vector<int> readIds(const std::string& path) {
+    const std::string text = readTextFile(path);
+    std::vector<int> ids;
+    int line = 1;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (c == '\n') ++line;
+        if (c == '#') {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (c == ',' || c == ';' || static_cast<unsigned char>(c) <= ' ') {
+            ++at;
+        } else {
+            const std::size_t end = std::min(text.find_first_of(" \t\r\n,;#", at), text.size());
+            int id = -1;
+            const auto done = std::from_chars(text.data() + at, text.data() + end, id);
+            if (done.ec != std::errc() || done.ptr != text.data() + end || id < 0)
+                throw InputError(path, "line " + std::to_string(line) + ": \"" +
+                                           text.substr(at, std::min<std::size_t>(end - at, 20)) +
+                                           "\" is not a vertex number");
+            ids.push_back(id);
+            at = end;
+        }
+    }
+    if (ids.empty()) throw InputError(path, "names no vertex");
+    return ids;
+}
+
+/// Returns the places of vertices of a surface that is repaired before it is meshed, because its vertices get
+/// other numbers.
+template <int Dim>
+std::vector<Vec<Dim>> placesOf(const std::vector<int>& vertices, const Eigen::Matrix3Xd& points) {
+    std::set<std::array<double, 3>> known;
+    std::vector<Vec<Dim>> places;
+    for (const int v : vertices)
+        if (known.insert({points(0, v), points(1, v), points(2, v)}).second)
+            places.emplace_back(points.col(v).template head<Dim>());
+    return places;
+}
+
+class PlaceFinder {
+  public:
+    PlaceFinder(const Domain& domain, const std::string& folder) : m_domain(domain), m_folder(folder) {}
+
+    template <int Dim>
+    std::optional<Placement<Dim>> find(const Json& name) {
+        if (name.contains("vertices")) return readIds(pathIn(m_folder, name["vertices"].get<std::string>()));
+        if (m_domain.kind == DomainKind::Image)
+            throw InputError("`group` is for meshes and surfaces: a picture has no groups");
+        if (!m_file && !readMesh()) return std::nullopt;
+        std::optional<int> dimension;
+        if (name.contains("dimension")) dimension = name["dimension"].get<int>();
+        std::vector<int> vertices = groupVertices(*m_file, name["group"].get<std::string>(), dimension);
+        if (m_domain.kind == DomainKind::Surface && (m_domain.repair || !m_domain.fixes.empty()))
+            return placesOf<Dim>(vertices, pointsOf(*m_file));
+        return vertices;
+    }
+
+    /// Returns the mean normal of a group.
+    template <int Dim>
+    std::optional<Vec<Dim>> normalOf(const std::string& group) {
+        if (m_domain.kind == DomainKind::Image)
+            throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
+        if (!m_file && !readMesh()) return std::nullopt;
+        return groupNormal<Dim>(*m_file, group);
+    }
+
+    /// Returns the facets of a group.
+    template <int Dim>
+    std::shared_ptr<const GuideMesh<Dim>> wallOf(const std::string& group) {
+        if (m_domain.kind == DomainKind::Image)
+            throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
+        if (!m_file && !readMesh()) return nullptr;
+        const GroupFacets<Dim> found = groupFacets<Dim>(*m_file, group);
+        auto wall = std::make_shared<GuideMesh<Dim>>();
+        wall->points = found.points;
+        if constexpr (Dim == 2)
+            wall->segments = found.facets;
+        else
+            wall->triangles = found.facets;
+        return wall;
+    }
+
+  private:
+    bool readMesh() {
+        try {
+            m_file = sharedMeshFile(pathIn(m_folder, m_domain.path));
+        } catch (const InputError&) {
+            return false;
+        }
+        return true;
+    }
+
+    const Domain& m_domain;
+    const std::string& m_folder;
+    std::shared_ptr<const MeshFile> m_file;
+};
+
+template <int Dim>
+Json asJson(const Placement<Dim>& place) {
+    if (const auto* ids = std::get_if<std::vector<int>>(&place)) return {{"vertices", *ids}};
+    Json points = Json::array();
+    if (const auto* all = std::get_if<std::vector<Vec<Dim>>>(&place))
+        for (const Vec<Dim>& p : *all) points.push_back(std::vector<double>(p.begin(), p.end()));
+    return {{"points", points}};
+}
+
+template <int Dim>
+Json directionJson(const Vec<Dim>& p) {
+    return std::vector<double>(p.begin(), p.end());
+}
+
+/// Finds a direction whose name is in the extras.
+template <int Dim>
+void findDirection(Extras& extras, const char* pointer, PlaceFinder& finder, Vec<Dim>& direction) {
+    std::string* text = nameAt(extras, pointer);
+    if (!text) return;
+    Json named = Json::parse(*text);
+    const auto normal = finder.normalOf<Dim>(named["name"].get<std::string>().substr(kNormalOf.size()));
+    if (normal) direction = *normal;
+    named["as"] = directionJson<Dim>(direction);
+    *text = named.dump();
+}
+
+template <int Dim>
+void findDirections(Handle<Dim>& handle, const std::string& where, PlaceFinder& finder) {
+    std::string key = "hold.normal";
+    try {
+        if (handle.normal) findDirection<Dim>(handle.extras, kHeld, finder, *handle.normal);
+        for (std::size_t m = 0; m < handle.motions.size(); ++m) {
+            key = "motion[" + std::to_string(m) + "].axis";
+            if (auto* rotate = std::get_if<Rotate<Dim>>(&handle.motions[m].kind))
+                findDirection<Dim>(handle.motions[m].extras, kAxis, finder, rotate->axis);
+        }
+    } catch (const InputError& error) {
+        throw InputError(where + "." + key + ": " + error.message());
+    }
+}
+
+template <int Dim>
+void findWalls(std::vector<MaterialRegion<Dim>>& regions, PlaceFinder& finder) {
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (!regions[r].stiffness || regions[r].stiffness->wall.empty()) continue;
+        try {
+            regions[r].stiffness->facets = finder.wallOf<Dim>(regions[r].stiffness->wall);
+        } catch (const InputError& error) {
+            throw InputError("material.regions[" + std::to_string(r) +
+                             "].stiffness.axis: " + error.message());
+        }
+    }
+}
+
+template <int Dim>
+void findPlaces(Project& project, const std::string& folder) {
+    PlaceFinder finder(project.domain, folder);
+    findWalls<Dim>(designOf<Dim>(project).material.regions, finder);
+    auto& handles = designOf<Dim>(project).handles;
+    for (std::size_t h = 0; h < handles.size(); ++h) {
+        const std::string where = "handles[" + std::to_string(h) + "]";
+        findDirections<Dim>(handles[h], where, finder);
+        std::string* text = nameAt(handles[h].extras, kPlace);
+        if (!text) continue;
+        Json named = Json::parse(*text);
+        try {
+            if (const auto place = finder.find<Dim>(named["name"])) handles[h].at = *place;
+        } catch (const InputError& error) {
+            throw InputError(where + ".at: " + (error.file().empty() ? "" : error.file() + ": ") +
+                             error.message());
+        }
+        named["as"] = asJson<Dim>(handles[h].at);
+        *text = named.dump();
+    }
+}
+
+}  // namespace
+
+namespace {
+
+[[noreturn]] void failAsDirection(const JsonValue& value, int dimension) {
+    value.fail("must be a direction, such as " + std::string(dimension == 2 ? "[0, 1]" : "[0, 0, 1]") +
+               ", or \"normal of GROUP\"");
+}
+
+}  // namespace
+
+std::optional<std::string> readWall(const JsonValue& value, int dimension) {
+    if (!value.json().is_string()) return std::nullopt;
+    const std::string name = value.text();
+    if (!name.starts_with(kNormalOf) || name.size() == kNormalOf.size()) failAsDirection(value, dimension);
+    return name.substr(kNormalOf.size());
+}
+
+std::string wallText(const std::string& group) {
+    return std::string(kNormalOf) + group;
+}
+
+template <int Dim>
+Vec<Dim> readNamedDirection(const JsonValue& value) {
+    if (const auto group = readWall(value, Dim)) {
+        value.keepName({{"name", wallText(*group)}});
+        return Vec<Dim>::Zero();
+    }
+    if (!value.json().is_array()) failAsDirection(value, Dim);
+    const Vec<Dim> direction = value.point<Dim>();
+    if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
+    return direction;
+}
+
+template Vec<2> readNamedDirection<2>(const JsonValue&);
+template Vec<3> readNamedDirection<3>(const JsonValue&);
+
+void putNamedDirection(Json& json, const Extras& extras, const std::string& pointer) {
+    const Json::json_pointer place(pointer);
+    if (!json.contains(place)) return;
+    for (const auto& [at, text] : extras) {
+        if (at != pointer) continue;
+        const Json named = Json::parse(text);
+        if (named.is_object() && named.contains("as") && named["as"] == json[place])
+            json[place] = named["name"];
+    }
+}
+
+template <int Dim>
+void placeOnGroup(Handle<Dim>& handle, const std::string& group, int dimension,
+                  const std::vector<int>& vertices) {
+    handle.at = vertices;
+    const Json named{{"name", {{"group", group}, {"dimension", dimension}}}, {"as", asJson<Dim>(handle.at)}};
+    handle.extras.emplace_back(kPlace, named.dump());
+}
+
+template void placeOnGroup<2>(Handle<2>&, const std::string&, int, const std::vector<int>&);
+template void placeOnGroup<3>(Handle<3>&, const std::string&, int, const std::vector<int>&);
+
+Extras withoutNames(Extras extras) {
+    std::erase_if(extras, [](const auto& extra) {
+        if (extra.first == kPlace || extra.first == kHeld) return true;
+        const Json value = extra.first == kAxis ? Json::parse(extra.second) : Json();
+        return value.is_object() && value.contains("name");  // and no unknown key of that name
+    });
+    return extras;
+}
+
+bool readNamedPlace(JsonObject& at, Extras& extras) {
+    Json name;
+    if (auto group = at.find("group")) {
+        name["group"] =
+            group->json().is_number_integer() ? std::to_string(group->json().get<long>()) : group->text();
+        if (auto dimension = at.find("dimension")) {
+            const int number = dimension->integer();
+            if (number < 0 || number > 3)
+                dimension->fail("must be 0 (vertices), 1 (lines), 2 (surfaces) or 3 (volumes)");
+            name["dimension"] = number;
+        }
+    } else if (at.has("vertices") && at.value().json()["vertices"].is_string()) {
+        name["vertices"] = at.require("vertices").text();
+    } else {
+        return false;
+    }
+    at.finish();
+    extras.emplace_back(kPlace, Json{{"name", name}}.dump());
+    return true;
+}
+
+void findNamedPlaces(Project& project, const std::string& folder) {
+    project.dimension() == 2 ? findPlaces<2>(project, folder) : findPlaces<3>(project, folder);
+}
+
+std::optional<Json> nameOfPlace(const Extras& extras, const Json& place) {
+    for (const auto& [pointer, text] : extras) {
+        if (pointer != kPlace) continue;
+        const Json named = Json::parse(text);
+        if (named.contains("as") && named["as"] == place) return named["name"];
+    }
+    return std::nullopt;
+}
+
+void rebaseNamedPlaces(Extras& extras, const std::function<std::string(const std::string&)>& rebased) {
+    std::string* text = nameAt(extras, kPlace);
+    if (!text) return;
+    Json named = Json::parse(*text);
+    if (!named["name"].contains("vertices")) return;
+    named["name"]["vertices"] = rebased(named["name"]["vertices"].get<std::string>());
+    *text = named.dump();
+}
+
+}  // namespace wend

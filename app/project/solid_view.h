@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/types.h"
+#include "core/motion/handle.h"
+
+namespace wend {
+
+/// The axis of the world that points up in views of a solid.
+enum class UpAxis { X, Y, Z };
+
+/// The camera of a solid: `target` is in the middle of the picture, and its distance defines the scale.
+struct SavedCamera {
+    Vec<3> position = Vec<3>::Zero(), target = Vec<3>::Zero(), up = Vec<3>::UnitZ();
+    std::optional<Vec<3>> pivot;  // centre of rotation; none: the target
+    bool parallel = false;        // without perspective
+
+    bool operator==(const SavedCamera&) const = default;
+};
+
+/// The view of a project's solid, which does not affect its shape.
+struct SolidView {
+    UpAxis up = UpAxis::Z;
+    std::optional<SavedCamera> camera;  // none: all of it is shown, from the side and above
+    Extras extras = {};
+};
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#include "app/views/canvas/drawing_pace.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kEasy = 1.5e6;       // pixels that are always drawn
+constexpr double kUnknown = 3e6;      // and so many while nothing is known
+constexpr double kTime = 14;          // milliseconds: with the rest of the pipeline 30 frames per second
+constexpr double kFinerMargin = 0.7;  // fraction of the time: hysteresis
+constexpr double kNewest = 0.3;       // weight of the last picture
+constexpr int kCoarsest = 4;
+
+}  // namespace
+
+bool DrawingPace::isInTime(double pixels, int coarseness, double margin) const {
+    const double drawn = pixels / (coarseness * coarseness);
+    if (drawn <= kEasy && coarseness == 1) return true;
+    return m_perPixel > 0 ? drawn * m_perPixel <= margin * kTime : drawn <= kUnknown;
+}
+
+int DrawingPace::coarseness(double pixels) {
+    while (m_coarseness > 1 && isInTime(pixels, m_coarseness - 1, kFinerMargin)) --m_coarseness;
+    while (m_coarseness < kCoarsest && !isInTime(pixels, m_coarseness, 1)) ++m_coarseness;
+    return m_coarseness;
+}
+
+void DrawingPace::learn(double drawnPixels, double milliseconds) {
+    if (drawnPixels <= 0) return;
+    const double perPixel = milliseconds / drawnPixels;
+    m_perPixel = m_perPixel > 0 ? (1 - kNewest) * m_perPixel + kNewest * perPixel : perPixel;
+}
+
+}  // namespace wend

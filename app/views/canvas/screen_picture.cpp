@@ -1,0 +1,119 @@
+#include "app/views/canvas/screen_picture.h"
+
+#include <cmath>
+
+#include "warp/convert.h"
+#include "warp/pixels.h"
+#include "warp/warp.h"
+
+namespace wend {
+
+namespace {
+
+constexpr PixelLayout kLayouts[] = {{PixelType::UInt8, 4, true, false}, {PixelType::UInt8, 4, true, true}};
+
+/// NaN becomes black.
+float clampedPart(float value) {
+    return std::fmin(std::fmax(value, 0.0F), 1.0F);
+}
+
+/// Encodes scene-linear light (half and float files) as sRGB.
+float encoded(float linear) {
+    const float x = clampedPart(linear);
+    return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+}
+
+/// The encoded light of every half, by its bits.
+const std::vector<std::uint8_t>& encodedHalves() {
+    static const std::vector<std::uint8_t> table = [] {
+        std::vector<std::uint8_t> values(std::size_t{1} << 16U);
+        for (std::size_t bits = 0; bits < values.size(); ++bits) {
+            half value;
+            value.setBits(static_cast<std::uint16_t>(bits));
+            values[bits] = toPixel<std::uint8_t>(255 * encoded(value));
+        }
+        return values;
+    }();
+    return table;
+}
+
+bool isLinear(const Image& image) {
+    return image.type == PixelType::Half || image.type == PixelType::Float;
+}
+
+/// Writes red, green, blue and alpha of a pixel in [0, 1], associated or not as in the source.
+void putPixel(const Image& from, const float* pixel, std::uint8_t* to) {
+    const int colours = from.colours();
+    for (int c = 0; c < 3; ++c) to[c] = toPixel<std::uint8_t>(255 * clampedPart(pixel[colours >= 3 ? c : 0]));
+    to[3] = toPixel<std::uint8_t>(255 * (from.alpha ? clampedPart(pixel[colours]) : 1.0F));
+}
+
+/// The same for linear light, which may be brighter than white.
+void putPixel(const Image& from, const float* pixel, half* to) {
+    constexpr float kBrightest = 60000;
+    const int colours = from.colours();
+    for (int c = 0; c < 3; ++c)
+        to[c] = std::fmin(std::fmax(pixel[colours >= 3 ? c : 0], -kBrightest), kBrightest);
+    to[3] = from.alpha ? clampedPart(pixel[colours]) : 1.0F;
+}
+
+template <class Number>
+void fillFrom(const Image& from, Image& to) {
+    std::vector<float> row(static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.channels));
+    for (int y = 0; y < from.height; ++y) {
+        loadRow(from, y, row.data());
+        auto* out = reinterpret_cast<Number*>(to.row(y));
+        for (int x = 0; x < from.width; ++x)
+            putPixel(from, row.data() + static_cast<std::ptrdiff_t>(x) * from.channels, out + 4 * x);
+    }
+}
+
+std::shared_ptr<const Image> forScreen(const std::shared_ptr<const Image>& from) {
+    PixelLayout layout = kLayouts[from->unassociated || !from->alpha ? 1 : 0];
+    if (isLinear(*from)) layout.type = PixelType::Half;
+    if (layoutOf(*from) == layout) return from;
+    auto to = std::make_shared<Image>(
+        Image{from->width, from->height, 4, layout.type, true, layout.unassociated, {}, {}});
+    to->makePixels();
+    isLinear(*from) ? fillFrom<half>(*from, *to) : fillFrom<std::uint8_t>(*from, *to);
+    return to;
+}
+
+/// Encodes linear light: colours that are not multiplied with alpha.
+QImage encodedImage(const Image& pixels) {
+    const std::vector<std::uint8_t>& table = encodedHalves();
+    QImage image(pixels.width, pixels.height, QImage::Format_RGBA8888);
+    for (int y = 0; y < pixels.height; ++y) {
+        const auto* from = reinterpret_cast<const half*>(pixels.row(y));
+        uchar* to = image.scanLine(y);
+        for (int x = 0; x < pixels.width; ++x, from += 4, to += 4) {
+            const float alpha = clampedPart(from[3]);
+            const bool isWhole = pixels.unassociated || alpha <= 0 || alpha >= 1;
+            for (int c = 0; c < 3; ++c)
+                to[c] = table[isWhole ? from[c].bits() : half(static_cast<float>(from[c]) / alpha).bits()];
+            to[3] = toPixel<std::uint8_t>(255 * alpha);
+        }
+    }
+    return image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+/// Converts a result of forScreen().
+QImage toQImage(const Image& pixels) {
+    if (pixels.type == PixelType::Half) return encodedImage(pixels);
+    const auto format = pixels.unassociated ? QImage::Format_RGBA8888 : QImage::Format_RGBA8888_Premultiplied;
+    const QImage borrowed(reinterpret_cast<const uchar*>(pixels.data.data()), pixels.width, pixels.height,
+                          static_cast<qsizetype>(pixels.rowBytes()), format);
+    return borrowed.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+}  // namespace
+
+ScreenPicture::ScreenPicture(const std::shared_ptr<const Image>& picture) : m_pyramid(forScreen(picture)) {}
+
+QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+                             const WarpOptions& options) const {
+    const Image pixels = warpImage(m_pyramid, rest, pose, view, options);
+    return pixels.data.empty() ? QImage() : toQImage(pixels);
+}
+
+}  // namespace wend

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QColor>
+#include <tuple>
+
+#include "app/engine/motion/rest_frame.h"
+#include "app/engine/shape/shape.h"
+#include "app/panels/group_list.h"
+#include "app/style/colour_map.h"
+
+namespace wend {
+
+/// Colours of a map.
+struct MapLook {
+    Measure measure = Measure::Length;
+    MeasureRange range;
+    double opacity = kMapOpacity;  // over a picture, or a surface that has colours of its own
+    bool smooth = false;           // without the edges of its cells
+
+    bool operator==(const MapLook& o) const {
+        return std::tie(measure, range, opacity, smooth) == std::tie(o.measure, o.range, o.opacity, o.smooth);
+    }
+};
+
+/// View options of a shape.
+struct Looks {
+    bool mesh = false, map = false, arrows = false, marks = false;
+    bool onionSkin = false;  // earlier and later shapes
+    bool hidden = false;     // all overlays
+    bool rest = false;       // the undeformed shape
+    bool values = false;     // under the pointer they are shown elsewhere, the velocity among them
+    bool detail = true;  // the detailed or painted surface in a solid, rather than the tetrahedra's border
+    bool flat = false;   // each facet of it by itself
+    MapLook colours;     // of the map
+    GroupMarks groups;   // of the mesh's file, to be marked; null: none
+    QString layer;       // the layer whose border is drawn; null for none
+    QColor backdrop;     // invalid: the view's own
+    FramePtr standIn;    // in the place of the session's frame; null: none
+};
+
+/// Returns the frame that is shown instead of the session's own, if any.
+template <int Dim>
+PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
+    const bool standsIn = looks.standIn && (own || Dim == 3);  // a picture is itself seen before its mesh is
+    const auto frame = standsIn ? posed<Dim>(looks.standIn) : own;
+    return frame && looks.rest ? atRest<Dim>(frame) : frame;
+}
+
+/// Returns the middle of a cell in a pose.
+template <int Dim>
+Vec<Dim> centreOf(const PosedFrame<Dim>& frame, int cell) {
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / (Dim + 1);
+    return centre;
+}
+
+}  // namespace wend

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QSize>
+
+#include "app/project/solid_view.h"
+#include "app/tools/solid_surface.h"
+
+namespace wend {
+
+/// Looks at a pivot from a distance; y of the screen is up. All angles in radians, all pixels from the top
+/// left corner.
+class Camera {
+  public:
+    enum class Axis { Front, Back, Left, Right, Top, Bottom, Isometric };
+
+    /// Shows the box that spans low … high whole, the pivot in its middle.
+    void fit(const Vec<3>& low, const Vec<3>& high);
+    /// Shows all points as large as they fit, from where it looks.
+    void fit(const Points<3>& points, const QSize& viewport);
+    void look(Axis axis);
+    /// The world axis that points up, which rotation keeps upright.
+    void setUpAxis(UpAxis axis);
+    UpAxis upAxis() const { return m_upAxis; }
+    /// Returns the camera for storage, with as many digits as a screen can show.
+    SavedCamera saved() const;
+    /// Restores a stored camera.
+    void restore(const SavedCamera& kept);
+    /// Changes the centre of rotation without moving the picture.
+    void setPivot(const Vec<3>& pivot);
+    /// Centres a point and makes it the centre of rotation.
+    void lookAt(const Vec<3>& point);
+    /// Looks along a direction.
+    void lookAlong(const Vec<3>& direction);
+    void setOrthographic(bool on) { m_orthographic = on; }
+    bool orthographic() const { return m_orthographic; }
+    const Vec<3>& pivot() const { return m_pivot; }
+
+    /// Turns around the pivot as a turntable: dx around the world's vertical axis, dy around the screen's
+    /// horizontal one.
+    void orbit(double dx, double dy);
+    /// Moves the view so that the point under the pointer at the pivot's depth follows it.
+    void pan(double dxPixels, double dyPixels, const QSize& viewport);
+    /// Zooms in for factors > 1 around the pixel at the pivot's depth.
+    void zoom(double factor, const Eigen::Vector2d& pixel, const QSize& viewport);
+
+    Eigen::Matrix4d view() const;
+    Eigen::Matrix4d projection(const QSize& viewport) const;
+    Ray ray(const Eigen::Vector2d& pixel, const QSize& viewport) const;
+    /// Returns the pixel and the depth in [−1, 1] of a point.
+    Vec<3> project(const Vec<3>& p, const QSize& viewport) const;
+    Vec<3> direction() const { return m_turn.conjugate() * Vec<3>(0, 0, -1); }
+    Vec<3> up() const { return m_turn.conjugate() * Vec<3>::UnitY(); }
+    Vec<3> right() const { return m_turn.conjugate() * Vec<3>::UnitX(); }
+    /// Return the length in the world of a pixel at the pivot's depth, and at a point.
+    double pixelSize(const QSize& viewport) const;
+    double pixelSize(const QSize& viewport, const Vec<3>& at) const;
+
+  private:
+    Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
+    /// Returns the point in the middle of the picture at the pivot's depth.
+    Vec<3> centre() const;
+    /// The world's axes to the right, into the picture and upwards, seen from the front.
+    Mat<3> axes() const;
+
+    Vec<3> m_pivot = Vec<3>::Zero();
+    Eigen::Vector2d m_shift = Eigen::Vector2d::Zero();  // of the pivot from the middle, to the right and up
+    double m_distance = 3;
+    double m_radius = 1;  // of the scene, for the clip planes
+    bool m_orthographic = false;
+    UpAxis m_upAxis = UpAxis::Z;
+};
+
+}  // namespace wend

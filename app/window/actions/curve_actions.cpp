@@ -1,0 +1,82 @@
+#include "app/window/actions/curve_actions.h"
+
+#include <QActionGroup>
+
+#include "app/session/pins/curve_making.h"
+
+namespace wend {
+
+CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditing*()> current, QObject* parent)
+    : ActionMaker(parent), m_session(session), m_current(std::move(current)), m_menu(new QMenu) {
+    makeActions();
+    m_menu->setTitle(tr("&Curve"));
+    m_menu->addAction(make);
+    m_menu->addSeparator();
+    m_menu->addActions({insert, remove});
+    m_menu->addSeparator();
+    m_menu->addActions({free, aligned, automatic});
+    connectActions();
+    refresh();
+}
+
+void CurveActions::makeActions() {
+    make = add("make", {tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
+               QKeySequence(tr("Shift+C")));
+    insert = add("insert",
+                 {tr("&Insert Point"),
+                  tr("Split the curve at the pointer, or after the chosen point; its shape stays")},
+                 QKeySequence(tr("I")));
+    remove = add("remove", {tr("&Delete Point"), tr("Remove the chosen point from the curve")},
+                 QKeySequence(tr("Ctrl+Del")));
+    free = addToggle("free", {tr("&Free"), tr("Let the two directions at the point be independent")},
+                     QKeySequence(tr("Alt+1")));
+    aligned = addToggle("aligned", {tr("&Aligned"), tr("Keep both directions at the point on one line")},
+                        QKeySequence(tr("Alt+2")));
+    automatic = addToggle(
+        "automatic",
+        {tr("A&utomatic"), tr("Lead the curve smoothly through the point, guided by its neighbours")},
+        QKeySequence(tr("Alt+3")));
+    auto* kinds = new QActionGroup(this);
+    for (QAction* kind : {free, aligned, automatic}) kinds->addAction(kind);
+    kinds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+}
+
+void CurveActions::connectActions() {
+    const auto onCurve = [this](auto what) {
+        return [this, what] {
+            if (CurveEditing* curve = m_current()) what(*curve);
+            refresh();
+        };
+    };
+    connect(make, &QAction::triggered, this, [this] { makeCurve(m_session); });
+    connect(insert, &QAction::triggered, this, onCurve([](CurveEditing& curve) { curve.insertPoint(); }));
+    connect(remove, &QAction::triggered, this, onCurve([](CurveEditing& curve) { curve.removePoint(); }));
+    for (const auto& [action, kind] :
+         {std::pair{free, JointKind::Free}, {aligned, JointKind::Aligned}, {automatic, JointKind::Automatic}})
+        connect(action, &QAction::triggered, this,
+                onCurve([kind = kind](CurveEditing& curve) { curve.setKind(kind); }));
+    connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
+    connect(&m_session, &ShapeSession::pinsChanged, this, &CurveActions::refresh);
+    connect(&m_session, &ShapeSession::frameChanged, this, &CurveActions::refresh);
+}
+
+void CurveActions::refresh() {
+    const CurveEditing* curve = m_current();
+    const bool has = curve && curve->hasCurve();
+    const auto kind = has ? curve->chosenKind() : std::nullopt;
+    enable(make, canMakeCurve(m_session), tr("Select one pin that was dragged along a path."));
+    enable(insert, has, tr("Select one pin that follows a curve."));
+    enable(remove, has && curve->canRemove(), tr("Click a point of the curve first; two must remain."));
+    for (QAction* action : {free, aligned, automatic})
+        enable(action, kind.has_value(), tr("Click an inner point of a Bézier curve first."));
+    free->setChecked(kind == JointKind::Free);
+    aligned->setChecked(kind == JointKind::Aligned);
+    automatic->setChecked(kind == JointKind::Automatic);
+}
+
+void CurveActions::popUp(const QPoint& global) {
+    refresh();
+    m_menu->popup(global);
+}
+
+}  // namespace wend

@@ -1,0 +1,34 @@
+#include "app/window/actions/number_action.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <cmath>
+
+#include "app/panels/fields/panel_parts.h"
+
+namespace wend {
+
+NumberAction::NumberAction(const QString& name, const QString& help, const QString& unit, QObject* parent)
+    : QWidgetAction(parent), m_box(new QSpinBox) {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(8, 0, 8, 0);
+    m_box->setSuffix(unit);
+    m_box->setKeyboardTracking(false);
+    describe(m_box, name, help);
+    auto* label = new QLabel(name);
+    label->setBuddy(m_box);
+    row->addWidget(label);
+    row->addWidget(m_box);
+    setText(name);
+    setDefaultWidget(holder);
+}
+
+void NumberAction::put(double value) {
+    const QSignalBlocker quiet(m_box);
+    m_box->setValue(static_cast<int>(std::lround(value)));
+}
+
+}  // namespace wend

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QMenu>
+#include <memory>
+
+#include "app/tools/pin_settings.h"
+#include "app/window/actions/action_maker.h"
+
+namespace wend {
+
+class NumberAction;
+class ShapeSession;
+
+/// Commands for the selected pins of pictures and solids, including the effect of a drag.
+class PinActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    PinActions(ShapeSession& session, QObject* parent);
+
+    QAction *move, *turn, *grow;
+    QAction *selectRectangle, *selectLasso, *selectBrush;  // shape of the marquee
+    QAction* snap;
+    NumberAction* brushSize;  // of the brush that grabs an area
+    QAction *lock, *hide, *showAll;
+    QAction *group, *ungroup, *link;
+    QAction *mirror, *mirrorMotion;
+    QAction* holdThroughout;
+
+    QMenu* menu() const { return m_menu.get(); }
+    PinChoice& choice() { return m_choice; }
+    /// Adds these commands to a pin's context menu.
+    void fill(QMenu& menu) const;
+
+  private:
+    void makeGrips();
+    void makeOutlines();
+    template <class Value>
+    void choose(Value PinSettings::*value, std::initializer_list<std::pair<QAction*, Value>> choices);
+    void makeActions();
+    void makeColours();
+    void connectActions();
+    void refresh();
+    const std::vector<int>& selected() const;
+    void askGroup();
+    void askColour();
+
+    ShapeSession& m_session;
+    PinChoice m_choice;
+    std::unique_ptr<QMenu> m_menu, m_colours;
+};
+
+}  // namespace wend

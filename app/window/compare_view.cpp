@@ -1,0 +1,274 @@
+#include "app/window/compare_view.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/panels/fields/panel_parts.h"
+#include "app/project/edits/material_edits.h"
+#include "app/project/options/settings.h"
+#include "app/style/energy_scale.h"
+#include "app/style/theme.h"
+#include "app/views/canvas/canvas.h"
+#include "app/views/volume/solid_canvas.h"
+#include "core/energy/distortion.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kHead = 44;  // two lines, where a half is narrow
+
+QString nameOf(double phi, int dimension) {
+    const EnergyScale scale(dimension);
+    if (const int stop = scale.stopAt(phi); stop >= 0) return scale.stops()[stop].name;
+    const int below = static_cast<int>(scale.positionOf(phi));
+    return CompareView::tr("%1 – %2").arg(scale.stops()[below].name, scale.stops()[below + 1].name);
+}
+
+/// Returns the three totals in the order of the properties.
+QString totalsOf(const ShapeSession& session) {
+    if (!session.frame()) return CompareView::tr("is being computed …");
+    const Distortion& distortion = *session.frame()->distortion;
+    const QLocale locale;
+    const bool about = session.frame()->live || session.isStale();
+    const auto text = [&](double value) {
+        return (about ? QStringLiteral("≈ ") : QString()) + locale.toString(value, 'f', 3);
+    };
+    const QString all = session.frame()->dimension == 3 ? CompareView::tr("angle %1 · volume %2 · stretch %3")
+                                                        : CompareView::tr("angle %1 · area %2 · stretch %3");
+    return all.arg(text(distortion.totalAngle), text(distortion.totalVolume), text(distortion.totalMetric));
+}
+
+}  // namespace
+
+CompareView::CompareView(const Parts& parts, QWidget* parent)
+    : QWidget(parent),
+      m_parts(parts),
+      m_comparison(parts.session),
+      m_ownName(new QLabel),
+      m_ownTotals(secondLabel({}, nullptr)),
+      m_otherTotals(secondLabel({}, nullptr)),
+      m_energy(new QComboBox),
+      m_ownHead(ownHead()),
+      m_otherHead(otherHead()),
+      m_other(new QWidget),
+      m_picture(new ShapeCanvas(m_comparison.other())) {
+    auto* row = bareRow(this, 1);
+    auto* own = new QVBoxLayout;
+    own->setSpacing(0);
+    own->addWidget(m_ownHead);
+    own->addWidget(&m_parts.page, 1);
+    row->addLayout(own, 1);
+    auto* other = bareColumn(m_other, 0);
+    other->addWidget(m_otherHead);
+    other->addWidget(m_picture, 1);
+    row->addWidget(m_other, 1);
+    m_picture->followOther();
+    m_picture->setAccessibleName(tr("The same with another energy"));
+    m_ownHead->hide();
+    m_other->hide();
+    connectViews();
+}
+
+QWidget* CompareView::ownHead() {
+    auto* head = new QWidget(this);
+    head->setFixedHeight(kHead);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(12, 0, 12, 0);
+    m_ownName->setProperty("role", "title");
+    m_ownTotals->setObjectName(QStringLiteral("ownTotals"));
+    for (QLabel* totals : {m_ownTotals, m_otherTotals})
+        totals->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(m_ownName);
+    row->addWidget(m_ownTotals, 1);
+    return head;
+}
+
+QWidget* CompareView::otherHead() {
+    auto* head = new QWidget(this);
+    head->setFixedHeight(kHead);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(12, 0, 4, 0);
+    m_energy->setObjectName(QStringLiteral("comparedEnergy"));
+    describe(m_energy, tr("Compare with"),
+             tr("What this half keeps, or how it is without paint, with the same pins and motions."));
+    connect(m_energy, &QComboBox::activated, this,
+            [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
+    m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
+    QToolButton* close = m_close = new QToolButton(head);
+    close->setObjectName(QStringLiteral("endComparison"));
+    close->setIcon(wendIcon(QStringLiteral("close"), palette()));
+    close->setAutoRaise(true);
+    describe(close, tr("End the comparison"), tr("Shows one shape again."));
+    connect(close, &QToolButton::clicked, this, &CompareView::join);
+    row->addWidget(m_energy);
+    row->addWidget(m_otherTotals, 1);
+    row->addWidget(close);
+    return head;
+}
+
+void CompareView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_close)
+        m_close->setIcon(wendIcon(QStringLiteral("close"), palette()));
+}
+
+void CompareView::connectViews() {
+    connect(&m_parts.picture, &ShapeCanvas::viewChanged, this,
+            [this] { m_picture->takeView(m_parts.picture); });
+    connect(m_picture, &ShapeCanvas::viewChanged, this, [this] {
+        if (m_picture->underMouse()) m_parts.picture.takeView(*m_picture);
+    });
+    m_picture->installEventFilter(this);
+    connect(&m_comparison.other(), &ShapeSession::frameChanged, this, &CompareView::takeFrame);
+    connect(&m_parts.session, &ShapeSession::frameChanged, this, &CompareView::showHeads);
+    connect(&m_parts.session.document(), &Document::opened, this, &CompareView::join);
+    connect(&m_parts.session.document(), &Document::projectChanged, this, [this] {
+        if (m_split) showEnergies();
+    });
+}
+
+void CompareView::split(std::optional<double> phi) {
+    if (m_parts.session.document().isEmpty()) return;
+    preview(std::nan(""));
+    m_comparison.begin(phi);
+    const bool first = !std::exchange(m_split, true);
+    if (m_parts.session.document().dimension() == 3) makeSolid();
+    showHalf();
+    showEnergies();
+    takeFrame();
+    if (first) emit splitChanged(true);
+}
+
+void CompareView::join() {
+    if (!std::exchange(m_split, false)) return;
+    if (const QWidget* focus = QApplication::focusWidget(); focus && m_other->isAncestorOf(focus)) focusOwn();
+    m_comparison.end();
+    showHalf();
+    emit splitChanged(false);
+}
+
+/// Moves the focus before the focused half is removed.
+void CompareView::focusOwn() {
+    SolidCanvas* solid = m_parts.solid();
+    const bool space = m_parts.session.document().dimension() == 3 && solid;
+    (space ? static_cast<QWidget&>(*solid) : m_parts.picture).setFocus();
+}
+
+void CompareView::makeSolid() {
+    SolidCanvas* own = m_parts.solid();
+    if (m_solid || !own) return;
+    m_solid = new SolidCanvas(m_comparison.other());
+    m_other->layout()->addWidget(m_solid);
+    m_solid->installEventFilter(this);
+    connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });
+    connect(own, &SolidCanvas::cutChanged, this, [this, own] { m_solid->takeView(*own); });
+    connect(m_solid, &VolumeView::cameraChanged, this, [this, own] {
+        if (m_solid->underMouse()) own->takeView(*m_solid);
+    });
+    emit solidMade(m_solid);
+}
+
+/// Returns whether a pin of the edited shape is at that place of its view.
+bool CompareView::isOnPin(const QPointF& at) const {
+    const SolidCanvas* own = m_parts.solid();
+    const bool isFlat = m_parts.session.document().dimension() == 2;
+    const Tool* tool = isFlat ? m_parts.picture.viewport().tool() : own ? own->viewport().tool() : nullptr;
+    return tool && tool->wants(at);
+}
+
+/// Both halves show the same part at the same scale with pins at the same places, so a drag of a pin in the
+/// other half is forwarded to the first.
+bool CompareView::eventFilter(QObject* watched, QEvent* event) {
+    const auto type = event->type();
+    const bool moves = type == QEvent::MouseMove, presses = type == QEvent::MouseButtonPress;
+    if (!moves && !presses && type != QEvent::MouseButtonRelease) return QWidget::eventFilter(watched, event);
+    const auto& mouse = static_cast<const QMouseEvent&>(*event);
+    if (presses && mouse.button() == Qt::LeftButton && isOnPin(mouse.position())) m_passes = true;
+    if (!m_passes) return QWidget::eventFilter(watched, event);
+    QWidget& own = watched == m_picture ? static_cast<QWidget&>(m_parts.picture) : *m_parts.solid();
+    QMouseEvent passed(type, mouse.position(), own.mapToGlobal(mouse.position()), mouse.button(),
+                       mouse.buttons(), mouse.modifiers());
+    passed.setTimestamp(mouse.timestamp());
+    QCoreApplication::sendEvent(&own, &passed);
+    if (type == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton) m_passes = false;
+    return true;
+}
+
+void CompareView::showHalf() {
+    const bool solid = m_split && m_parts.session.document().dimension() == 3;
+    m_ownHead->setVisible(m_split);
+    m_picture->setVisible(!solid);
+    if (m_solid) m_solid->setVisible(solid);
+    m_other->setVisible(m_split);
+}
+
+void CompareView::showHeads() {
+    if (!m_split || m_parts.session.document().isEmpty()) return;
+    const int dimension = m_parts.session.document().dimension();
+    m_ownName->setText(nameOf(settingOf(*m_parts.session.document().project(), "material.phi"), dimension));
+    m_ownTotals->setText(totalsOf(m_parts.session));
+    m_otherTotals->setText(totalsOf(m_comparison.other()));
+}
+
+void CompareView::showEnergies() {
+    const int dimension = m_parts.session.document().dimension();
+    const EnergyScale scale(dimension);
+    const QSignalBlocker quiet(m_energy);
+    m_energy->clear();
+    const auto add = [this](const QString& name, std::optional<double> phi) {
+        m_energy->addItem(name, QVariant::fromValue(phi));
+        if (phi == m_comparison.phi()) m_energy->setCurrentIndex(m_energy->count() - 1);
+    };
+    for (const EnergyStop& stop : scale.stops()) add(stop.name, stop.phi);
+    if (m_comparison.phi() && scale.stopAt(*m_comparison.phi()) < 0)
+        add(nameOf(*m_comparison.phi(), dimension), m_comparison.phi());
+    if (!m_comparison.phi() || isPainted(m_parts.session.document().design()))
+        add(tr("Nothing painted"), std::nullopt);
+}
+
+void CompareView::preview(double phi) {
+    if (m_split) return;
+    if (std::isnan(phi)) {
+        if (!std::exchange(m_previews, false)) return;
+        m_comparison.end();
+    } else {
+        m_previews = true;
+        m_comparison.begin(phi);
+    }
+    takeFrame();
+}
+
+/// Keeps the shape until the comparison has its own.
+void CompareView::takeFrame() {
+    const FramePtr frame = m_previews ? m_comparison.frame() : FramePtr();
+    m_parts.picture.viewport().set(&Looks::standIn, frame && frame->dimension == 2 ? frame : FramePtr());
+    if (SolidCanvas* solid = m_parts.solid())
+        solid->viewport().set(&Looks::standIn, frame && frame->dimension == 3 ? frame : FramePtr());
+    showOtherHalf();
+    showHeads();
+}
+
+/// Shows the shape itself until the other half has its own.
+void CompareView::showOtherHalf() {
+    if (!m_split) return;
+    const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();
+    if (m_picture->isVisible()) {
+        m_picture->viewport().set(&Looks::standIn, own);
+        m_picture->takeView(m_parts.picture);
+    }
+    if (m_solid && m_solid->isVisible()) {
+        m_solid->viewport().set(&Looks::standIn, own);
+        m_solid->takeView(*m_parts.solid());
+    }
+}
+
+}  // namespace wend

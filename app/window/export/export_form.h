@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QTimer>
+#include <map>
+
+#include "app/project/options/option_values.h"
+#include "app/window/export/export_preview.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+
+namespace wend {
+
+class OptionField;
+
+/// The subject of an export, and what the screen already has of it.
+struct ExportSubject {
+    ExportKind kind = ExportKind::Picture;
+    std::shared_ptr<const FrameExport> shape = {};
+    QImage solidView = {};                              // preview of a solid; null for a picture
+    std::shared_ptr<const ScreenPicture> picture = {};  // made on demand if null
+    std::optional<PixelRect> part = {};                 // of the picture that was chosen to be kept
+};
+
+/// The options of an export, as `wend run` has them, with a preview, the size in pixels, and a warning about
+/// what would be cut off.
+class ExportForm : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// Placement of the fields: beside the preview, or below it in a narrow column.
+    enum class Fields { Beside, Below };
+    explicit ExportForm(Fields place, QWidget* parent = nullptr);
+    ~ExportForm() override;
+
+    /// Sets the subject and keeps the choices that still apply.
+    void setSubject(const ExportSubject& subject);
+    /// Clears the subject and shows the reason.
+    void setNothing(const QString& why);
+    ExportKind kind() const { return m_subject.kind; }
+    /// Forgets all choices but the formats: they belong to a document.
+    void reset();
+
+    /// Returns the extension with its dot.
+    QString extension() const;
+    /// Returns the filter for a file dialog.
+    QString filter() const;
+    /// Returns whether one file holds all frames.
+    bool isFilm() const;
+    /// Returns the chosen values of the format's options.
+    OptionValues values() const;
+    /// Returns the field of an option; null if this kind of export does not have it.
+    OptionField* field(const char* flag) const;
+    /// Returns whether the current choice can be written.
+    bool isReady() const;
+    const ExportPreview& preview() const { return *m_preview; }
+
+  signals:
+    void readyChanged(bool ready);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    const FrameExport* shape() const { return m_subject.shape.get(); }
+    void makeFields();
+    void makeCropNote(Fields place);
+    void addRow(OptionField& field, bool hasKey);
+    void lay(Fields place);
+    void showFormats();
+    void showPart();
+    bool isPicture() const;
+    bool takes(const std::string& flag) const;
+    void adapt();
+    bool shows(const std::string& flag) const;
+    QString missingProgram() const;
+    void tie(const OptionField& changed);
+    void tieRate(const OptionField& changed);
+    void tieWidth();
+    void showWidth();
+    void showFields();
+    void showDepths();
+    void showCrop();
+    QString pixels() const;
+    void preparePicture();
+    void askPreview();
+    void startPreview();
+    void tellProblem(const QString& problem);
+
+    ExportSubject m_subject;
+    std::map<ExportKind, QString> m_formats;  // chosen last, by name
+    std::optional<PixelRect> m_part;          // that is offered as canvas
+    double m_seconds = 0, m_rate = 0;         // duration and rate for which the count was computed
+    ExportPreview* m_preview;
+    QComboBox* m_format;
+    QFormLayout* m_form;
+    QList<OptionField*> m_fields;
+    std::vector<std::pair<std::string, double>> m_defaults;  // of the fields, as value() and number()
+    QLabel *m_facts, *m_cropText, *m_problem;
+    QWidget* m_crop;
+    QTimer m_previewTimer;
+    std::stop_source m_previewStop;
+};
+
+}  // namespace wend

@@ -1,0 +1,127 @@
+#include "app/window/export/export_panel.h"
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/panels/fields/panel_parts.h"
+#include "app/session/shape_session.h"
+#include "app/window/actions/actions.h"
+#include "app/window/export/exporter.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kSoon = 120;  // milliseconds: a moving shape is previewed once it rests
+
+}  // namespace
+
+ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_exporter(exporter),
+      m_kinds(new QButtonGroup(this)),
+      m_form(new ExportForm(ExportForm::Fields::Below, this)),
+      m_write(new QPushButton(tr("Export…"), this)),
+      m_view(viewButton(actions.exportView)),
+      m_film(viewButton(actions.exportFilm)) {
+    addKind(ExportKind::Picture, tr("Picture"), actions.exportPicture);
+    addKind(ExportKind::StMap, tr("ST Map"), actions.exportStMap);
+    addKind(ExportKind::Mesh, tr("Mesh"), actions.exportMesh);
+    addKind(ExportKind::Film, tr("Film"), actions.exportFilm);
+    addKind(ExportKind::Frames, tr("Sequence"), actions.exportFrames);
+    // In one row they would be wider than the panel in some languages.
+    auto* kinds = new QVBoxLayout;
+    auto *still = new QHBoxLayout, *moving = new QHBoxLayout;
+    for (QBoxLayout* one :
+         {static_cast<QBoxLayout*>(kinds), static_cast<QBoxLayout*>(still), static_cast<QBoxLayout*>(moving)})
+        one->setSpacing(0);
+    kinds->addLayout(still);
+    kinds->addLayout(moving);
+    for (QAbstractButton* button : m_kinds->buttons())
+        (isMotion(static_cast<ExportKind>(m_kinds->id(button))) ? moving : still)->addWidget(button);
+    m_write->setProperty("role", "primary");
+    describe(m_write, tr("Export"), tr("Choose a name and write what the preview shows."));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(8);
+    column->addWidget(panelTitle(tr("Export"), this));
+    column->addLayout(kinds);
+    column->addWidget(m_form, 1);
+    column->addWidget(m_write);
+    column->addWidget(m_view);
+    column->addWidget(m_film);
+    connectAll();
+}
+
+void ExportPanel::addKind(ExportKind kind, const QString& name, QAction* action) {
+    auto* button = new QToolButton(this);
+    button->setText(name);
+    button->setCheckable(true);
+    button->setProperty("role", "segment");
+    button->setProperty("long", true);  // three in a narrow panel
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_kinds->addButton(button, static_cast<int>(kind));
+    m_actions[static_cast<int>(kind)] = action;
+    connect(action, &QAction::changed, this, &ExportPanel::ask);
+}
+
+QPushButton* ExportPanel::viewButton(QAction* action) {
+    auto* button = new QPushButton(withoutKey(action->text()), this);
+    describe(button, withoutKey(action->text()), action->statusTip());
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    return button;
+}
+
+void ExportPanel::connectAll() {
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(kSoon);
+    connect(&m_soon, &QTimer::timeout, this, &ExportPanel::showShape);
+    connect(&m_session.document(), &Document::opened, m_form, &ExportForm::reset);
+    connect(m_kinds, &QButtonGroup::idClicked, this, &ExportPanel::showShape);
+    connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
+    connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
+    connect(&m_exporter.crop(), &Crop::changed, this, &ExportPanel::ask);
+    connect(&m_exporter, &Exporter::viewTurned, this, &ExportPanel::ask);
+    connect(&m_session, &ShapeSession::frameChanged, this, &ExportPanel::ask);
+    connect(&m_session, &ShapeSession::busyChanged, this, &ExportPanel::ask);
+    connect(&m_session, &ShapeSession::problem, this, &ExportPanel::ask);
+}
+
+ExportKind ExportPanel::kind() const {
+    return static_cast<ExportKind>(m_kinds->checkedId());
+}
+
+void ExportPanel::ask() {
+    if (isVisible()) m_soon.start();
+}
+
+void ExportPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showShape();
+}
+
+/// The kind that was chosen last, or the first that there is.
+void ExportPanel::showShape() {
+    const bool solid = m_session.document().dimension() == 3;
+    QAbstractButton *first = nullptr, *chosen = m_kinds->checkedButton();
+    for (QAbstractButton* button : m_kinds->buttons()) {
+        const QAction* action = m_actions[m_kinds->id(button)];
+        const auto kind = static_cast<ExportKind>(m_kinds->id(button));
+        const bool flatOnly = kind != ExportKind::Frames && kind != ExportKind::Mesh;
+        button->setVisible(!solid || !flatOnly);
+        button->setEnabled(action->isEnabled());
+        describe(button, button->text(), action->statusTip());
+        if (!action->isEnabled()) button->setToolTip(action->toolTip());
+        if (!first && button->isVisibleTo(this) && action->isEnabled()) first = button;
+    }
+    if (first && (!chosen || !chosen->isEnabled() || !chosen->isVisibleTo(this))) first->setChecked(true);
+    for (QPushButton* button : {m_view, m_film}) button->setVisible(solid);
+    const QString why = m_exporter.whyNot();
+    why.isEmpty() ? m_form->setSubject(m_exporter.subject(kind())) : m_form->setNothing(why);
+}
+
+}  // namespace wend

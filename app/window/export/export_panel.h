@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QMap>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/window/export/export_form.h"
+
+class QButtonGroup;
+class QPushButton;
+
+namespace wend {
+
+class Actions;
+class Exporter;
+class ShapeSession;
+
+/// The panel of the step Export, which previews the shown shape and follows it.
+class ExportPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    ExportPanel(ShapeSession& session, Exporter& exporter, const Actions& actions, QWidget* parent = nullptr);
+
+    ExportForm& form() const { return *m_form; }
+    ExportKind kind() const;
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void addKind(ExportKind kind, const QString& name, QAction* action);
+    QPushButton* viewButton(QAction* action);
+    void connectAll();
+    void ask();
+    void showShape();
+
+    ShapeSession& m_session;
+    Exporter& m_exporter;
+    QButtonGroup* m_kinds;
+    QMap<int, QAction*> m_actions;  // of the kinds
+    ExportForm* m_form;
+    QPushButton *m_write, *m_view, *m_film;
+    QTimer m_soon;
+};
+
+}  // namespace wend

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <QMap>
+#include <QObject>
+#include <functional>
+
+#include "app/project/edits/recovery.h"
+#include "app/window/notices/info_banner.h"
+
+class QMenu;
+class QWidget;
+
+namespace wend {
+
+class ProjectWatch;
+struct Reading;
+
+/// Opening, saving and closing with all their questions: files are read in the background, changes are never
+/// lost unasked.
+class FileWorkflow : public QObject {
+    Q_OBJECT
+
+  public:
+    FileWorkflow(Document& document, QWidget& window);
+
+    QStringList recent() const;
+    void fillRecent(QMenu& menu);
+    void fillSamples(QMenu& menu);
+
+    /// Copies unsaved changes to this folder from now on. Copies of crashed programs are returned by lost().
+    void guardWork(const QString& folder);
+    QList<LostWork> lost() const;
+    /// Sets a test for practice work, which is closed without a question.
+    void setPractice(std::function<bool()> isPractice) { m_isPractice = std::move(isPractice); }
+    /// Offers recovery beside the next opened file, when the start page is not shown.
+    void tellLostWhenOpened();
+
+  public slots:
+    void askOpen();
+    void recover(const wend::LostWork& work);
+    /// Deletes the copy after the user confirmed twice.
+    void discard(const wend::LostWork& work);
+    void open(const QString& path);
+    /// Opens several pictures as the parts of one.
+    void openAll(const QStringList& paths);
+    bool save();
+    bool saveAs();
+    void close();
+    /// Returns false if the user cancelled.
+    bool mayLeave();
+
+  signals:
+    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
+    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
+    void openingChanged(QString fileName);
+    void recentChanged();
+    void lostChanged();
+
+  private:
+    void takeTyped();
+    QString proposedPath() const;
+    bool saveTo(const QString& path);
+    bool write(const QString& path);
+    bool mayOverwrite();
+    bool mayTakePlace(const QString& path);
+    void reload();
+    void watchDisk(bool isOther);
+    void say(InfoBanner::Topic topic, const QString& text, const QList<InfoBanner::Remedy>& remedies = {}) {
+        emit said(topic, text, remedies);
+    }
+    void tellNotSaved(const QString& text);
+    void takeBackSaved();
+    void tellOf(const Reading& reading);
+    void openFound(const QString& project, const QString& missing);
+    void addRecent(const QString& path);
+    void read(const QString& path, std::function<OpenedFile()> reader);
+    void take(const Reading& reading);
+
+    Document& m_document;
+    QWidget& m_window;
+    ProjectWatch* m_watch;
+    QMap<QString, QString> m_found;  // files that a project missed, and where they are
+    Recovery* m_recovery = nullptr;
+    QString m_copies;         // the folder of unsaved changes
+    QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
+    std::function<bool()> m_isPractice;
+    int m_ticket = 0;  // of the newest opening; results of older ones are ignored
+};
+
+}  // namespace wend

@@ -1,0 +1,189 @@
+#include "app/window/files/picture_keeper.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "app/base/in_background.h"
+#include "app/base/preferences.h"
+#include "app/base/said.h"
+#include "app/engine/shape/flat_shape.h"
+#include "app/project/domain.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/drawing_size.h"
+#include "app/project/edits/scaled_project.h"
+#include "app/project/file/named_files.h"
+#include "app/project/project.h"
+#include "app/session/opening.h"
+#include "app/window/files/drawing_size_dialog.h"
+#include "app/window/files/project_watch.h"
+#include "core/base/error.h"
+#include "warp/image.h"
+
+namespace wend {
+namespace {
+
+using Topic = InfoBanner::Topic;
+
+/// A picture that was read, or why it could not be.
+struct PictureReading {
+    std::shared_ptr<const Image> picture;
+    QString error;
+};
+
+PictureReading tryToReadPicture(const Domain& domain, const QString& folder) {
+    PictureReading reading;
+    try {
+        reading.picture = loadPicture(domain, folder.toStdString());
+    } catch (const std::exception& error) {
+        reading.error = said(error);
+    }
+    return reading;
+}
+
+/// Returns the paths of all picture files of the document.
+QStringList picturesOf(const Document& document) {
+    QStringList files;
+    if (document.isEmpty() || document.dimension() != 2) return files;
+    const auto add = [&](const std::string& file) {
+        if (file.empty()) return;
+        const QString path = QString::fromStdString(pathIn(document.folder().toStdString(), file));
+        if (!files.contains(path)) files << path;
+    };
+    const Domain& domain = document.domain();
+    if (domain.kind == DomainKind::Image) add(domain.path);
+    add(domain.texture);
+    for (const PicturePart& part : domain.parts) add(part.path);
+    return files;
+}
+
+}  // namespace
+
+PictureKeeper::PictureKeeper(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window) {
+    connect(&document, &Document::opened, this, [this] {
+        m_files.clear();  // of another document, though perhaps the same ones
+        ++m_ticket;
+        follow();
+    });
+    connect(&document, &Document::projectChanged, this, &PictureKeeper::follow);
+}
+
+/// Watches the pictures that the project names now.
+void PictureKeeper::follow() {
+    const QStringList files = picturesOf(m_document);
+    if (files == m_files) return;
+    m_files = files;
+    qDeleteAll(m_watch);
+    m_watch.clear();
+    emit said(Topic::Picture, {}, {});
+    for (const QString& file : files) {
+        auto* watch = new ProjectWatch(this);
+        m_watch << watch;
+        watch->watch(file, stampOf(file));
+        connect(watch, &ProjectWatch::changed, this, [this, watch, file](bool isOther) {
+            isOther ? tellChanged(*watch, file) : emit said(Topic::Picture, {}, {});
+        });
+    }
+}
+
+void PictureKeeper::tellChanged(ProjectWatch& watch, const QString& file) {
+    const auto keep = [this, &watch] {
+        watch.accept();
+        emit said(Topic::Picture, {}, {});
+    };
+    emit said(Topic::Picture,
+              tr("The picture “%1” was changed by another program.").arg(QFileInfo(file).fileName()),
+              {{tr("Reload"), [this] { reload(); }}, {tr("Keep"), keep}});
+}
+
+void PictureKeeper::reload() {
+    if (m_document.isEmpty()) return;
+    for (ProjectWatch* watch : std::as_const(m_watch)) watch->accept();
+    emit said(Topic::Picture, {}, {});
+    Project next = *m_document.project();
+    ++next.domain.readings;
+    exchange(next, tr("Reload picture"), true);
+}
+
+void PictureKeeper::askReplace() {
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Replace Picture"), preferences::folder.value(),
+                                     tr("Pictures (%1)").arg(pictureExtensions()));
+    if (path.isEmpty()) return;
+    preferences::folder.set(QFileInfo(path).absolutePath());
+    replace(QFileInfo(path).absoluteFilePath());
+}
+
+void PictureKeeper::replace(const QString& path) {
+    if (m_document.isEmpty() || !m_document.picture()) return;
+    Project next = *m_document.project();
+    next.domain.path = path.toStdString();
+    next.domain.readings = 0;
+    exchange(next, tr("Replace picture"), false);
+}
+
+void PictureKeeper::askSize() {
+    if (m_document.isEmpty()) return;
+    const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
+    const std::string folder = m_document.folder().toStdString();
+    try {
+        if (drawingIn(m_document.domain(), folder).empty())
+            return tell(tr("This picture is no SVG drawing: its pixels are what it has."));
+        const DrawnSize now = drawnSize(m_document.domain(), folder);
+        DrawingSizeDialog dialog(now, &m_window);
+        if (dialog.exec() == QDialog::Accepted && dialog.size() != now) redraw(dialog.size());
+    } catch (const std::exception& error) {
+        tell(tr("The picture cannot be read. %1").arg(wend::said(error)));
+    }
+}
+
+void PictureKeeper::redraw(const DrawnSize& size) {
+    Project next = *m_document.project();
+    next.domain.size = size;
+    ++next.domain.readings;
+    exchange(next, tr("Change drawing size"), true);
+}
+
+/// Reads the picture of a project that is to follow, and changes to it. `mayDiffer`: it stays as it is if the
+/// proportions of the pictures differ.
+void PictureKeeper::exchange(const Project& next, const QString& name, bool mayDiffer) {
+    const int ticket = ++m_ticket;
+    const auto before = m_document.project();
+    const auto work = [domain = next.domain, folder = m_document.folder()] {
+        return tryToReadPicture(domain, folder);
+    };
+    inBackground(this, work, [this, ticket, before, next, name, mayDiffer](const PictureReading& reading) {
+        if (ticket != m_ticket || m_document.project() != before) return;
+        const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
+        if (!reading.error.isEmpty()) return tell(tr("The picture cannot be read. %1").arg(reading.error));
+        const auto was = m_document.picture();
+        Project fitted = next;
+        QString told;
+        const bool isSized = next.domain.parts.empty() || next.domain.size != before->domain.size;
+        if (was && reading.picture && next.domain.kind == DomainKind::Image && isSized) {
+            const double factor =
+                factorBetween({was->width, was->height}, {reading.picture->width, reading.picture->height});
+            const QString sizes = tr("It has %1 × %2 pixels, and the picture before had %3 × %4.")
+                                      .arg(reading.picture->width)
+                                      .arg(reading.picture->height)
+                                      .arg(was->width)
+                                      .arg(was->height);
+            if (factor == 0 && !mayDiffer)
+                return tell(tr("This picture has other proportions. %1").arg(sizes));
+            if (factor == 0) told = tr("The picture has other proportions now. %1").arg(sizes);
+            if (factor != 0 && factor != 1) told = tr("Pins and paths are scaled with it. %1").arg(sizes);
+            if (factor != 0) scalePixels(fitted, factor);
+            if (fitted.domain.size[0] > 0)  // old projects stay without it
+                fitted.domain.size = {reading.picture->width, reading.picture->height};
+        }
+        m_document.keepPicture(fitted.domain.path, fitted.domain.readings, reading.picture);
+        const bool isResized =
+            reading.picture && was &&
+            (was->width != reading.picture->width || was->height != reading.picture->height);
+        m_document.change(name, std::move(fitted));
+        if (isResized) emit resized();
+        if (!told.isEmpty()) tell(told);  // the change takes earlier lines back
+    });
+}
+
+}  // namespace wend

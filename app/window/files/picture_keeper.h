@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <functional>
+
+#include "app/window/notices/info_banner.h"
+#include "warp/vector_drawing.h"
+
+class QWidget;
+
+namespace wend {
+
+class Document;
+class ProjectWatch;
+struct Project;
+
+/// Follows the pictures of the document: notices when another program has changed one, and exchanges the
+/// picture for another one of the same proportions, with the motion.
+class PictureKeeper : public QObject {
+    Q_OBJECT
+
+  public:
+    PictureKeeper(Document& document, QWidget& window);
+
+    void askReplace();
+    /// Does so in the background. Pins, paths and regions are scaled if the sizes differ.
+    void replace(const QString& path);
+    /// Asks for the width at which the document's drawing is drawn.
+    void askSize();
+    /// Draws the document's drawing in another size, in an undo step. Pins, paths and regions are scaled.
+    void redraw(const DrawnSize& size);
+    /// Reads the pictures of the document again, in an undo step.
+    void reload();
+
+  signals:
+    /// The picture has another size now.
+    void resized();
+    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
+    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
+
+  private:
+    void follow();
+    void tellChanged(ProjectWatch& watch, const QString& file);
+    void exchange(const Project& next, const QString& name, bool mayDiffer);
+
+    Document& m_document;
+    QWidget& m_window;
+    QStringList m_files;           // that are watched
+    QList<ProjectWatch*> m_watch;  // one for each
+    int m_ticket = 0;              // of the newest exchange
+};
+
+}  // namespace wend

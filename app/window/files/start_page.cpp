@@ -1,0 +1,266 @@
+#include "app/window/files/start_page.h"
+
+#include <QGridLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/panels/fields/panel_parts.h"
+#include "app/session/opening.h"
+#include "app/style/theme.h"
+#include "app/window/files/file_card.h"
+#include "app/window/files/file_workflow.h"
+
+namespace wend {
+
+namespace {
+
+constexpr int kPageWidth = 1064;
+constexpr int kMostSamples = 7;
+constexpr int kMostCards = 6;
+
+/// The large dashed target.
+class DropArea : public QWidget {
+  public:
+    using QWidget::QWidget;
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const Theme theme = Theme::of(palette());
+        const bool hot = property("hot").toBool();
+        QColor fill = hot ? theme.accent : palette().color(QPalette::Base);
+        if (hot) fill.setAlpha(40);
+        QPen pen(hot ? theme.accent : palette().color(QPalette::Mid), 1.6);
+        pen.setDashPattern({5, 4});
+        painter.setPen(pen);
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 12, 12);
+    }
+};
+
+/// Cards in as many columns as there is room for.
+class Shelf : public QWidget {
+  public:
+    explicit Shelf(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
+        m_grid->setContentsMargins(0, 0, 0, 0);
+        m_grid->setSpacing(kGap);
+        m_grid->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    }
+    QSize minimumSizeHint() const override {
+        return {m_cards.first()->sizeHint().width(), QWidget::minimumSizeHint().height()};
+    }
+    void add(QWidget* card) {
+        m_cards << card;
+        arrange();
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent*) override { arrange(); }
+
+  private:
+    static constexpr int kGap = 14;
+    void arrange() {
+        const int card = m_cards.first()->sizeHint().width() + kGap;
+        const int columns = std::clamp((width() + kGap) / card, 1, static_cast<int>(m_cards.size()));
+        if (columns == m_columns && m_grid->count() == m_cards.size()) return;
+        m_columns = columns;
+        for (QWidget* one : m_cards) m_grid->removeWidget(one);
+        for (int i = 0; i < m_cards.size(); ++i) m_grid->addWidget(m_cards[i], i / columns, i % columns);
+    }
+
+    QGridLayout* m_grid;
+    QList<QWidget*> m_cards;
+    int m_columns = 0;
+};
+
+QLabel* sectionTitle(const QString& text, QWidget* parent) {
+    QLabel* label = panelTitle(text, parent);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * 1.1);
+    label->setFont(font);
+    return label;
+}
+
+/// A place for a title and a shelf, empty and hidden at first.
+QWidget* makeBox(QVBoxLayout*& column, QWidget* parent) {
+    auto* box = new QWidget(parent);
+    column = bareColumn(box, 10);
+    box->hide();
+    return box;
+}
+
+void empty(QLayout& layout) {
+    while (QLayoutItem* item = layout.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+    auto* page = new QWidget(this);  // scrolls where the window is small
+    auto* content = new QWidget(page);
+    content->setMaximumWidth(kPageWidth);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(24, 16, 24, 16);
+    column->setSpacing(12);
+    column->addWidget(makeHeader());
+    column->addWidget(makeDropArea());
+    column->addSpacing(4);
+    m_lostBox = makeBox(m_lost, content);
+    column->addWidget(m_lostBox);
+    if (QWidget* samples = makeSamples()) column->addWidget(samples);
+    m_recentBox = makeBox(m_recent, content);
+    column->addWidget(m_recentBox);
+    auto* row = new QHBoxLayout(page);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addStretch(1);
+    row->addWidget(content, 20);
+    row->addStretch(1);
+    row->setAlignment(content, Qt::AlignVCenter);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
+}
+
+void StartPage::serve(FileWorkflow& files) {
+    connect(this, &StartPage::openRequested, &files, &FileWorkflow::askOpen);
+    connect(this, &StartPage::fileChosen, &files, &FileWorkflow::open);
+    connect(this, &StartPage::recoverRequested, &files, &FileWorkflow::recover);
+    // The card is destroyed with its work, so this is queued until the click has ended.
+    connect(this, &StartPage::discardRequested, &files, &FileWorkflow::discard, Qt::QueuedConnection);
+    connect(&files, &FileWorkflow::recentChanged, this, [this, &files] { setRecent(files.recent()); });
+    connect(&files, &FileWorkflow::lostChanged, this, [this, &files] { setLost(files.lost()); });
+    setRecent(files.recent());
+}
+
+QWidget* StartPage::makeHeader() {
+    auto* header = new QWidget(this);
+    auto* logo = new QLabel(header);
+    logo->setPixmap(
+        QIcon(QStringLiteral(":/wend/icons/wend.svg")).pixmap(QSize(64, 64), devicePixelRatioF()));
+    auto* name = new QLabel(QStringLiteral("Wend"), header);
+    QFont font = name->font();
+    font.setPointSizeF(font.pointSizeF() * 2.6);
+    font.setWeight(QFont::DemiBold);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, -1);
+    name->setFont(font);
+    auto* line = secondLabel(tr("Pin a picture, pull it into shape, and let it flow."), header);
+    QFont lineFont = line->font();
+    lineFont.setPointSizeF(lineFont.pointSizeF() * 1.15);
+    line->setFont(lineFont);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    column->addWidget(name);
+    column->addWidget(line);
+    auto* row = bareRow(header, 16);
+    row->addWidget(logo);
+    row->addLayout(column, 1);
+    auto* tutorial = new QPushButton(tr("Five-minute tutorial"), header);
+    tutorial->setObjectName(QStringLiteral("startTutorial"));
+    describe(tutorial, tutorial->text(), tr("The first steps on a sample, one after another."));
+    row->addWidget(tutorial, 0, Qt::AlignVCenter);
+    connect(tutorial, &QPushButton::clicked, this, &StartPage::tutorialRequested);
+    return header;
+}
+
+QWidget* StartPage::makeDropArea() {
+    m_drop = new DropArea(this);
+    m_drop->setFixedHeight(160);
+    auto* column = new QVBoxLayout(m_drop);
+    column->setSpacing(10);
+    auto* text = new QLabel(tr("Drop a picture here"), m_drop);
+    QFont font = text->font();
+    font.setPointSizeF(font.pointSizeF() * 1.5);
+    text->setFont(font);
+    auto* open = new QPushButton(tr("Open…"), m_drop);
+    open->setObjectName(QStringLiteral("startOpen"));
+    open->setProperty("role", "primary");
+    open->setDefault(true);
+    describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
+    setFocusProxy(open);  // the keyboard begins with it
+    auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
+                                 "Projects, meshes and solids too."),
+                              m_drop);
+    kinds->setAlignment(Qt::AlignCenter);
+    column->addStretch(1);
+    column->addWidget(text, 0, Qt::AlignHCenter);
+    column->addWidget(open, 0, Qt::AlignHCenter);
+    column->addWidget(kinds);
+    column->addStretch(1);
+    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    return m_drop;
+}
+
+QWidget* StartPage::makeSamples() {
+    const QStringList paths = samplePaths().mid(0, kMostSamples);
+    if (paths.isEmpty()) return nullptr;
+    auto* box = new QWidget(this);
+    auto* column = bareColumn(box, 10);
+    column->addWidget(sectionTitle(tr("Try a sample"), box));
+    auto* shelf = new Shelf(box);
+    for (const QString& path : paths) shelf->add(makeCard(path, true, shelf));
+    column->addWidget(shelf);
+    return box;
+}
+
+QWidget* StartPage::makeCard(const QString& path, bool sample, QWidget* shelf) {
+    auto* card = new FileCard(path, sample ? FileCard::Kind::Sample : FileCard::Kind::Recent, shelf);
+    connect(card, &FileCard::clicked, this, [this, path] { emit fileChosen(path); });
+    return card;
+}
+
+void StartPage::setRecent(const QStringList& paths) {
+    empty(*m_recent);
+    m_recentBox->setVisible(!paths.isEmpty());
+    if (paths.isEmpty()) return;
+    m_recent->addWidget(sectionTitle(tr("Recent"), m_recentBox));
+    auto* shelf = new Shelf(m_recentBox);
+    for (const QString& path : paths.mid(0, kMostCards)) shelf->add(makeCard(path, false, shelf));
+    m_recent->addWidget(shelf);
+}
+
+void StartPage::setLost(const QList<LostWork>& lost) {
+    empty(*m_lost);
+    m_lostBox->setVisible(!lost.isEmpty());
+    if (lost.isEmpty()) return;
+    m_lost->addWidget(sectionTitle(tr("Not saved when Wend ended"), m_lostBox));
+    auto* shelf = new Shelf(m_lostBox);
+    for (const LostWork& work : lost.mid(0, kMostCards)) shelf->add(makeLost(work, shelf));
+    m_lost->addWidget(shelf);
+}
+
+QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
+    auto* both = new QWidget(shelf);
+    auto* column = bareColumn(both, 4);
+    auto* card = new FileCard(work.path.isEmpty() ? work.source : work.path, FileCard::Kind::Lost, both,
+                              QLocale().toString(work.time, QStringLiteral("d MMM, HH:mm")));
+    card->setObjectName(QStringLiteral("lostCard"));
+    auto* discard = new QPushButton(tr("Discard…"), both);
+    discard->setObjectName(QStringLiteral("discardLost"));
+    describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Deletes these changes for good."));
+    column->addWidget(card);
+    column->addWidget(discard);
+    connect(card, &FileCard::clicked, this, [this, work] { emit recoverRequested(work); });
+    connect(discard, &QPushButton::clicked, this, [this, work] { emit discardRequested(work); });
+    return both;
+}
+
+void StartPage::setDropHighlighted(bool highlighted) {
+    m_drop->setProperty("hot", highlighted);
+    m_drop->update();
+}
+
+}  // namespace wend

@@ -1,0 +1,242 @@
+#include "app/window/film/track_view.h"
+
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+#include "app/base/preferences.h"
+#include "app/project/design.h"
+#include "app/style/marks.h"
+#include "app/window/film/key_pose_strip.h"
+#include "app/window/film/sound_track.h"
+#include "app/window/film/time_ruler.h"
+#include "app/window/film/time_scale.h"
+
+namespace wend {
+
+namespace {
+
+template <int Dim>
+QString kindOf(const Motion<Dim>& motion) {
+    if (std::holds_alternative<Rotate<Dim>>(motion.kind)) return TrackView::tr("Rotate");
+    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+    if (!curve || straightProgress<Dim>(motion)) return TrackView::tr("Move");
+    const bool stays = std::all_of(curve->points.begin(), curve->points.end(),
+                                   [&](const Vec<Dim>& p) { return p == curve->points.front(); });
+    return stays && curve->scale != 1 ? TrackView::tr("Scale") : TrackView::tr("Path");
+}
+
+/// Returns the easing of a motion; nothing if it has a curve of its own.
+template <int Dim>
+std::optional<Ease> easeOf(const Motion<Dim>& motion) {
+    const auto straight = straightProgress<Dim>(motion);
+    return straight ? easeOf(*straight) : motion.ease;
+}
+
+}  // namespace
+
+TrackView::TrackView(ShapeSession& session, QWidget* parent)
+    : QAbstractScrollArea(parent),
+      m_session(session),
+      m_scale(new TimeScale(session, this)),
+      m_sound(new SoundTrack(session, this)),
+      m_ruler(new TimeRuler(session, *m_scale, *m_sound, viewport())),
+      m_poses(new KeyPoseStrip(session, *m_scale, viewport())) {
+    setObjectName(QStringLiteral("trackView"));
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::StrongFocus);
+    viewport()->setMouseTracking(true);
+    setAccessibleName(tr("Tracks"));
+    setAccessibleDescription(
+        tr("A row for each pin, with a bar for each of its motions; Up and Down choose a pin, Left and Right "
+           "another time, with Alt they move the chosen bar or keys"));
+    setStatusTip(tr(
+        "Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. "
+        "A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds"));
+    const auto repaint = [this] { viewport()->update(); };
+    connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
+    connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
+    connect(&m_session.selection(), &Selection::changed, this, &TrackView::showSelection);
+    connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
+    connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
+    connect(m_scale, &TimeScale::changed, this, repaint);
+    connect(m_ruler, &TimeRuler::rowsChanged, this, [this, repaint] { arrange(), repaint(); });
+    takeProject();
+}
+
+void TrackView::takeProject() {
+    m_grabbed.reset();
+    m_grabbedKeys.reset();
+    m_band.reset();
+    m_rows.clear();
+    if (!m_session.document().isEmpty())
+        std::visit(
+            [this](const auto& design) {
+                for (const auto& handle : design.handles) {
+                    const int h = static_cast<int>(m_rows.size());
+                    Row row{QString::fromStdString(handle.name),
+                            pinColour(h, handle.traits),
+                            {{h, kHold}, {handle.activeFrom, handle.activeTo}},
+                            {}};
+                    for (const auto& motion : handle.motions)
+                        row.bars.push_back({{h, static_cast<int>(row.bars.size())},
+                                            {motion.start, motion.end},
+                                            slowSidesOf(motion),
+                                            kindOf(motion),
+                                            easeOf(motion)});
+                    m_rows.push_back(std::move(row));
+                }
+            },
+            m_session.document().design());
+    const auto& rows = m_rows;
+    std::erase_if(m_chosen, [&rows](const MotionId& id) {
+        return id.handle >= static_cast<int>(rows.size()) ||
+               id.motion >= static_cast<int>(rows[id.handle].bars.size());
+    });
+    std::erase_if(m_keys, [this](const KeyId& key) {
+        return key.handle >= static_cast<int>(m_rows.size()) || !isAmong(keysIn(key.handle), key.time);
+    });
+    arrange();
+    viewport()->update();
+    emit choiceChanged();
+}
+
+void TrackView::arrange() {
+    const int above = showsPoses() ? KeyPoseStrip::kHeight : 0;
+    m_poses->setGeometry(0, 0, viewport()->width(), KeyPoseStrip::kHeight);
+    m_poses->setVisible(above > 0);
+    m_ruler->setGeometry(0, above, viewport()->width(), m_ruler->rows());
+    m_ruler->setVisible(end() > 0);
+    const int whole = end() > 0 ? static_cast<int>(kRowHeight * static_cast<double>(m_rows.size())) : 0;
+    const int room = static_cast<int>(viewport()->height() - top());
+    verticalScrollBar()->setRange(0, std::max(whole - room, 0));
+    verticalScrollBar()->setPageStep(room);
+    verticalScrollBar()->setSingleStep(static_cast<int>(kRowHeight));
+}
+
+/// Scrolls to the first motion of a new film.
+void TrackView::showFirstMotion() {
+    const int generation = m_session.document().generation();
+    if (end() <= 0 || !isVisible() || std::exchange(m_generation, generation) == generation) return;
+    const auto moves = std::ranges::find_if(m_rows, [](const Row& row) { return !row.bars.empty(); });
+    if (moves != m_rows.end()) bringIntoView(static_cast<int>(moves - m_rows.begin()));
+}
+
+void TrackView::bringIntoView(int row) {
+    const double below = rowRect(row).bottom() - viewport()->height(), above = top() - rowRect(row).top();
+    const double way = below > 0 ? below : std::min(-above, 0.0);
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
+}
+
+/// A pin that is chosen alone is brought into view.
+void TrackView::showSelection() {
+    if (const int row = m_session.singleHandle(); row >= 0) bringIntoView(row);
+    viewport()->update();
+}
+
+void TrackView::setWay(const QRect& way) {
+    m_scale->setWay(way);
+}
+
+/// Where the rows begin, below the ruler.
+double TrackView::top() const {
+    return m_ruler->y() + m_ruler->rows();
+}
+
+QSize TrackView::sizeHint() const {
+    const int poses = preferences::keyPosesShown.value() ? KeyPoseStrip::kHeight : 0;
+    return {400, int(22 + poses + kRowsAtFirst * kRowHeight)};
+}
+
+/// Leaves the pictures of key poses out where rows would lack room.
+bool TrackView::showsPoses() const {
+    constexpr int kRowsAtLeast = 2;
+    const int room = viewport()->height() - m_ruler->rows() - KeyPoseStrip::kHeight;
+    return end() > 0 && preferences::keyPosesShown.value() && room >= kRowsAtLeast * kRowHeight;
+}
+
+double TrackView::end() const {
+    return m_session.playback().end();
+}
+
+double TrackView::xOf(double time) const {
+    return m_scale->xOf(time);
+}
+
+double TrackView::timeAt(double x) const {
+    return m_scale->timeAt(x);
+}
+
+QRectF TrackView::rowRect(int row) const {
+    return {0, top() + row * kRowHeight - verticalScrollBar()->value(), double(viewport()->width()),
+            kRowHeight};
+}
+
+/// Returns the interval of a bar, clipped to the film, or its dragged one.
+MotionTime TrackView::timeOf(const Bar& bar) const {
+    MotionTime time = bar.time;
+    if (m_grabbed && bar.motion == kHold && m_grabbed->bar == bar) time = m_grabbed->time;
+    if (m_grabbed && isAmong<MotionId>(m_grabbed->motions, bar))
+        time = {carried(time.start, m_grabbed->span, m_grabbed->time),
+                carried(time.end, m_grabbed->span, m_grabbed->time)};
+    if (m_grabbedKeys && bar.motion != kHold)
+        time = {shownTime(bar.handle, time.start), shownTime(bar.handle, time.end)};
+    return {std::max(time.start, 0.0), bar.motion == kHold ? std::min(time.end, end()) : time.end};
+}
+
+QRectF TrackView::barRect(const Bar& bar) const {
+    const MotionTime time = timeOf(bar);
+    const QRectF row = rowRect(bar.handle);
+    return {xOf(time.start), row.center().y() - kBarHeight / 2,
+            std::max(xOf(time.end) - xOf(time.start), 4.0), kBarHeight};
+}
+
+QRectF TrackView::barOf(int handle, int motion) const {
+    if (handle < 0 || handle >= static_cast<int>(m_rows.size())) return {};
+    if (motion == kHold) return barRect(m_rows[static_cast<std::size_t>(handle)].hold);
+    const auto& bars = m_rows[static_cast<std::size_t>(handle)].bars;
+    return motion < static_cast<int>(bars.size()) ? barRect(bars[static_cast<std::size_t>(motion)])
+                                                  : QRectF();
+}
+
+/// Returns the end of a pin's hold within reach; of two, the one that can move further.
+std::optional<TrackView::Part> TrackView::endAt(const Bar& bar, const QPointF& at) const {
+    const MotionTime time = timeOf(bar);
+    const double toStart = std::abs(at.x() - xOf(time.start)), toEnd = std::abs(at.x() - xOf(time.end));
+    if (std::min(toStart, toEnd) > kGrip) return {};
+    return toStart < toEnd || (toStart == toEnd && bar.time.start > 0) ? Part::Start : Part::End;
+}
+
+/// A short bar is moved in its middle; its ends reach a little beyond it.
+std::optional<std::pair<TrackView::Bar, TrackView::Part>> TrackView::barAt(const QPointF& at) const {
+    const int row = rowAt(at);
+    if (row < 0) return {};
+    for (const Bar& bar : m_rows[static_cast<std::size_t>(row)].bars) {
+        const QRectF box = barRect(bar);
+        if (at.x() < box.left() - kGrip || at.x() > box.right() + kGrip) continue;
+        const double inner = std::min(kGrip, box.width() / 4);
+        if (at.x() < box.left() + inner) return std::pair{bar, Part::Start};
+        return std::pair{bar, at.x() > box.right() - inner ? Part::End : Part::Body};
+    }
+    const Bar& hold = m_rows[static_cast<std::size_t>(row)].hold;
+    const auto part = endAt(hold, at);
+    return part ? std::optional(std::pair{hold, *part}) : std::nullopt;
+}
+
+int TrackView::rowAt(const QPointF& at) const {
+    if (at.y() < top()) return -1;
+    const int row = static_cast<int>((at.y() - top() + verticalScrollBar()->value()) / kRowHeight);
+    return row < static_cast<int>(m_rows.size()) ? row : -1;
+}
+
+void TrackView::resizeEvent(QResizeEvent*) {
+    arrange();
+}
+
+/// Shows the first motion once the layout is done.
+void TrackView::showEvent(QShowEvent*) {
+    QMetaObject::invokeMethod(this, &TrackView::showFirstMotion, Qt::QueuedConnection);
+}
+
+}  // namespace wend

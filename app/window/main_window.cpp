@@ -1,0 +1,418 @@
+#include "app/window/main_window.h"
+
+#include <QApplication>
+#include <QMenuBar>
+#include <QScreen>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/panels/distortion_panel.h"
+#include "app/panels/fields/panel_fields.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/panels/group_list.h"
+#include "app/panels/layer_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/mesh_panel.h"
+#include "app/panels/pin_list.h"
+#include "app/panels/region_list.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/session/part_making.h"
+#include "app/views/canvas/canvas.h"
+#include "app/views/volume/solid_canvas.h"
+#include "app/window/actions/actions.h"
+#include "app/window/actions/appearance_choice.h"
+#include "app/window/actions/brush_actions.h"
+#include "app/window/actions/context_menu.h"
+#include "app/window/actions/curve_actions.h"
+#include "app/window/actions/depth_actions.h"
+#include "app/window/actions/language_choice.h"
+#include "app/window/actions/picture_actions.h"
+#include "app/window/actions/pin_actions.h"
+#include "app/window/actions/space_tap.h"
+#include "app/window/actions/toolbox.h"
+#include "app/window/compare_view.h"
+#include "app/window/export/exporter.h"
+#include "app/window/export/material_actions.h"
+#include "app/window/files/file_workflow.h"
+#include "app/window/files/motion_chooser.h"
+#include "app/window/files/opening_note.h"
+#include "app/window/files/picture_keeper.h"
+#include "app/window/files/start_page.h"
+#include "app/window/files/thumbnail.h"
+#include "app/window/film/film_controls.h"
+#include "app/window/film/time_strip.h"
+#include "app/window/film/track_view.h"
+#include "app/window/help/side_windows.h"
+#include "app/window/help/tutorial.h"
+#include "app/window/notices/info_banner.h"
+#include "app/window/notices/offers.h"
+#include "app/window/notices/problem_remedies.h"
+#include "app/window/notices/riding_offer.h"
+#include "app/window/notices/shape_notices.h"
+#include "app/window/notices/spring_offer.h"
+#include "app/window/notices/work_note.h"
+#include "app/window/properties.h"
+#include "app/window/properties_rail.h"
+#include "app/window/solid_workshop.h"
+#include "app/window/status_fields.h"
+#include "app/window/toolbar/mode_row.h"
+#include "app/window/toolbar/option_row.h"
+#include "app/window/view_looks.h"
+#include "app/window/workspace.h"
+
+namespace wend {
+
+using Topic = InfoBanner::Topic;
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_tools(new Toolbox(this)),
+      m_actions(new Actions(*m_session.document().undoStack(), *m_tools, this)),
+      m_solidActions(new SolidActions(*m_tools, this)),
+      m_depth(new DepthActions(m_session, this)),
+      m_pins(new PinActions(m_session, this)),
+      m_exporter(new Exporter(m_session, *this)),
+      m_properties(new Properties(m_session, *m_exporter, *m_tools, *m_actions)),
+      m_pictureActions(new PictureActions(this)),
+      m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
+      m_files(new FileWorkflow(m_session.document(), *this)),
+      m_canvas(new ShapeCanvas(m_session)),
+      m_start(new StartPage),
+      m_banner(new InfoBanner),
+      m_time(new TimeStrip(m_session)),
+      m_tracks(new TrackView(m_session)),
+      m_pages(new QStackedWidget),
+      m_work(new WorkNote(m_session, *m_pages)),
+      m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
+      m_appearance(new AppearanceChoice(*m_actions, *this)) {
+    setAcceptDrops(true);
+    setWindowTitle(QStringLiteral("Wend[*]"));
+    fitToScreen();
+    m_fields = new StatusFields(*statusBar(), m_session);
+    m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties}, *this);
+    m_workspace = std::make_unique<Workspace>(Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids,
+                                                               *m_properties, *m_pictureActions, *m_pins,
+                                                               m_exporter->crop()});
+    m_curves = new CurveActions(
+        m_session, [this] { return m_workspace->curve(); }, this);
+    m_material = new MaterialActions(m_session, *m_exporter, this);
+    m_properties->layers().setPictureMenu(m_material->menu());
+    m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_brush, m_material, m_actions});
+    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_depth, *m_pins}, this);
+    m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
+                           {m_pins->menu(), m_depth->menu(), m_brush->menu(), m_material->menu()});
+    m_appearance->restore();  // before there are bars: they take their margins from the style but once
+    makeToolBars();
+    makeCentre();
+    connectFiles();
+    connectEdit();
+    connectView();
+    new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
+    connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
+    new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks, *m_canvas,
+                      [this] { return m_solids->canvas(); }},
+                     this);
+    connect(new SpaceTap(*this), &SpaceTap::tapped, m_actions->play, &QAction::trigger);
+    connectHelp();
+    connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
+    updateIcons();
+    showDocument();
+}
+
+/// Sets the initial size: comfortable, but within the screen and its frame.
+void MainWindow::fitToScreen() {
+    constexpr QSize kComfortable(1280, 860), kFrame(8, 40);
+    resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
+}
+
+/// A hidden field applies the number being typed, so hide while the document exists.
+MainWindow::~MainWindow() {
+    hide();
+}
+
+MaterialPanel& MainWindow::materialPanel() {
+    return m_properties->material();
+}
+
+DistortionPanel& MainWindow::distortionPanel() {
+    return m_properties->distortion();
+}
+
+QToolBar* MainWindow::makeBar(Qt::ToolBarArea area, const QString& title, const char* name) {
+    auto* bar = new QToolBar(title, this);
+    bar->setObjectName(QString::fromLatin1(name));
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    addToolBar(area, bar);
+    return bar;
+}
+
+void MainWindow::makeToolBars() {
+    m_topBar = makeBar(Qt::TopToolBarArea, tr("Main"), "topBar");
+    m_topBar->addWidget(m_modes = new ModeRow(*m_actions, *m_tools));
+    addToolBarBreak();
+    addToolBar(Qt::TopToolBarArea,
+               m_options = new OptionRow(*m_tools, *m_actions,
+                                         {*m_solidActions, *m_pictureActions, *m_pins, *m_brush}, this));
+    m_toolBar = makeBar(Qt::LeftToolBarArea, tr("Tools"), "toolBar");
+    connect(m_tools, &Toolbox::changed, this, &MainWindow::showTools);
+    showTools();
+    setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+/// Shows the tools of the current step.
+void MainWindow::showTools() {
+    const QList<QAction*> tools = m_tools->toolsOf(m_tools->mode());
+    if (m_toolBar->actions() == tools) return;
+    m_toolBar->clear();
+    m_toolBar->addActions(tools);
+}
+
+void MainWindow::makeCentre() {
+    connect(m_properties, &Properties::done, this, &MainWindow::focusView);
+    connect(new PanelFields(*m_time), &PanelFields::done, this, &MainWindow::focusView);
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::followFocus);
+    auto* centre = new QWidget(this);
+    auto* row = bareRow(centre, 0);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    column->addWidget(m_banner);
+    m_pages->addWidget(m_start);
+    m_pages->addWidget(m_canvas);
+    m_compare = new CompareView({m_session, *m_pages, *m_canvas, [this] { return m_solids->canvas(); }});
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_compare);
+    parts->addWidget(m_tracks);
+    parts->setStretchFactor(0, 1);
+    column->addWidget(parts, 1);
+    column->addWidget(m_time);
+    row->addLayout(column, 1);
+    row->addWidget(m_rail = new PropertiesRail(*m_properties, *m_actions->showProperties, centre));
+    connect(m_rail, &PropertiesRail::done, this, &MainWindow::focusView);
+    setCentralWidget(centre);
+}
+
+void MainWindow::connectFiles() {
+    Actions& a = *m_actions;
+    const auto tellIn = [this](Topic topic) {
+        return [this, topic](const auto&... what) { m_banner->tell(topic, what...); };
+    };
+    connect(a.open, &QAction::triggered, m_files, &FileWorkflow::askOpen);
+    connect(a.save, &QAction::triggered, m_files, &FileWorkflow::save);
+    connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
+    connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
+    connect(a.quit, &QAction::triggered, this, &QWidget::close);
+    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
+    connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
+    m_exporter->setLooks({[this](const QSize& size) { return m_solids->smallView(size); },
+                          [this] { return m_canvas->screenPicture(); }});
+    constexpr QSize kCard(720, 720);
+    connect(&m_session.document(), &Document::saved, this, [this, kCard] {
+        keepThumbnail(m_session.document().path(),
+                      m_solids->isActive() ? m_solids->smallView(kCard) : m_canvas->smallView(kCard));
+    });
+    m_solids->setMayReplace(
+        [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
+    connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
+    auto* notices = new ShapeNotices(m_session, this);
+    connect(notices, &ShapeNotices::told, this, tellIn(Topic::Mesh));
+    connect(notices, &ShapeNotices::reasonWanted, this, [this] { m_tools->setMode(Mode::Mesh); });
+    connect(notices, &ShapeNotices::reasonWanted, m_rail, &PropertiesRail::openAtSurface);
+    connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
+    const MeshPanel* mesh = &m_properties->mesh();
+    connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
+    connect(mesh, &MeshPanel::sizesWanted, m_solidActions->sizes, &QAction::trigger);
+    connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
+    connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
+    connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
+    connect(a.exportFilm, &QAction::triggered, this, [this] {
+        const bool isSolid = m_session.document().dimension() == 3;
+        isSolid ? m_solids->exportFilm() : m_exporter->exportFilm();
+    });
+    connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
+    connect(m_exporter, &Exporter::failed, this, tellIn(Topic::Export));
+    connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
+    connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
+    connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
+    connect(m_material, &MaterialActions::done, m_fields, &StatusFields::showMessage);
+    connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
+    connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
+    connectChoices();
+    new Offers(m_session.document(), *m_banner, this);
+    new RidingOffer(m_session, *m_banner, this);
+    new SpringOffer(m_session, *m_banner, this);
+    new OpeningNote(*m_files, *m_canvas, *m_pages);
+    const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
+    connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
+    showRecent();
+    m_start->serve(*m_files);
+    m_files->fillSamples(*a.samples);
+    connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
+    connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_session, &ShapeSession::problem, this,
+            [this](const QString& text) { m_banner->tell(Topic::Shape, text, problemRemedies(m_session)); });
+    connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
+}
+
+/// Connects what the document takes over from other files.
+void MainWindow::connectChoices() {
+    auto* motion = new MotionChooser(m_session.document(), *this);
+    connect(m_actions->applyMotion, &QAction::triggered, motion, &MotionChooser::ask);
+    auto* pictures = new PictureKeeper(m_session.document(), *this);
+    connect(m_actions->replacePicture, &QAction::triggered, pictures, &PictureKeeper::askReplace);
+    connect(m_actions->drawingSize, &QAction::triggered, pictures, &PictureKeeper::askSize);
+    connect(pictures, &PictureKeeper::resized, m_actions->fit, &QAction::trigger);
+    connect(pictures, &PictureKeeper::said, m_banner, &InfoBanner::tell);
+    connect(motion, &MotionChooser::failed, this,
+            [this](const QString& text) { m_banner->tell(Topic::Opening, text); });
+    connect(motion, &MotionChooser::applied, this, [this](const QString& remarks) {
+        m_banner->clear(Topic::Opening);
+        m_banner->tell(Topic::Remark, remarks);
+    });
+}
+
+void MainWindow::connectEdit() {
+    Actions& a = *m_actions;
+    connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
+    connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
+    connect(a.selectAll, &QAction::triggered, this, [this] {
+        std::vector<int> all;
+        for (const auto& pin : m_session.pins<2>()) all.push_back(pin.handle);
+        for (const auto& pin : m_session.pins<3>()) all.push_back(pin.handle);
+        m_session.selection().set(std::move(all));
+    });
+    connect(a.makePart, &QAction::triggered, this, [this] {
+        if (makePartOfOutline(m_session)) return;
+        m_pictureActions->makesPart->setChecked(true);
+        m_actions->lassoTool->trigger();
+    });
+    connect(&m_properties->mesh(), &MeshPanel::partChosen, this, [this](int part) {
+        const auto& parts = m_session.document().domain().parts;
+        m_pictureActions->pen().change(
+            &OutlineSettings::part, part < 0 ? std::string() : parts.at(static_cast<std::size_t>(part)).name);
+    });
+    connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
+    connect(&m_properties->pins(), &PinList::menuWanted, this,
+            [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Pin); });
+}
+
+void MainWindow::connectView() {
+    Actions& a = *m_actions;
+    connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas,
+            [this](const QString& layer) { m_canvas->viewport().set(&Looks::layer, layer); });
+    connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
+    connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
+    connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
+    connect(a.actualSize, &QAction::triggered, this,
+            [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
+    const auto tellZoom = [this] {
+        const bool isFlat = m_session.document().dimension() == 2;
+        m_modes->showZoom(isFlat ? m_canvas->view().zoom() * m_canvas->devicePixelRatioF() : 0);
+    };
+    connect(m_canvas, &ShapeCanvas::viewChanged, this, tellZoom);
+    connect(&m_session.document(), &Document::opened, this, tellZoom);
+    connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
+    connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
+    connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+    const DistortionPanel* distortion = &m_properties->distortion();
+    connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
+    connect(distortion, &DistortionPanel::showWorst, this, [this] {
+        m_actions->showMap->setChecked(true);
+        m_canvas->showWorst();
+    });
+    connect(distortion, &DistortionPanel::placeWanted, this, [this](const Vec<3>& at) {
+        m_actions->showMap->setChecked(true);
+        m_canvas->showPlace(at.head<2>());
+    });
+    connect(distortion, &DistortionPanel::faultsChanged, this,
+            [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
+    connectViewport(m_canvas->viewport());
+    connect(m_solids, &SolidWorkshop::viewportMade, this, [this](Viewport& view) {
+        connectViewport(view);
+        connect(m_solids->canvas(), &VolumeView::cameraChanged, m_exporter, &Exporter::viewTurned);
+    });
+}
+
+/// Connects a viewport of pictures or solids.
+void MainWindow::connectViewport(Viewport& view) {
+    connect(&view, &Viewport::hintChanged, m_fields, &StatusFields::setHint);
+    connect(&view, &Viewport::hintChanged, m_curves, &CurveActions::refresh);
+    connect(&view, &Viewport::menuWanted, m_menu, &ContextMenu::popUp);
+    connect(&view, &Viewport::pointed, m_fields, &StatusFields::setPointer);
+    connect(&m_properties->groups(), &GroupList::marked, &view,
+            [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
+}
+
+void MainWindow::connectHelp() {
+    new SideWindows(m_session, *m_actions, *m_tools, *this);
+    connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
+    connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
+    m_files->setPractice([this] { return m_tutorial->isPractice(); });
+    connect(m_actions->tutorial, &QAction::triggered, this, [this] {
+        m_tutorial->begin();
+        m_files->open(Tutorial::picture());
+    });
+}
+
+void MainWindow::openPath(const QString& path) {
+    m_files->open(path);
+}
+
+void MainWindow::showDocument() {
+    const bool has = !m_session.document().isEmpty();
+    const bool solid = m_session.document().dimension() == 3;
+    m_actions->resetView();
+    m_solidActions->resetView();
+    m_pictureActions->adds->setChecked(true);
+    m_solids->setActive(solid);
+    if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
+    QWidget* shape = solid ? m_solids->page() : m_canvas;
+    m_pages->setCurrentWidget(has ? shape : m_start);
+    m_tools->setDimension(has && (!solid || m_solids->canvas()) ? m_session.document().dimension() : 0);
+    m_solids->showDomain();
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_rail, m_time, m_toolBar, m_topBar, m_options})
+        widget->setVisible(has);
+    focusView();
+    m_fields->setVisible(has);
+    m_fields->forgetMessage();
+    showSelection();
+    showTitle();
+}
+
+/// Qt recreates the window for OpenGL; the attribute keeps its position.
+void MainWindow::addSolidPage() {
+    setAttribute(Qt::WA_Moved);
+    m_pages->addWidget(m_solids->page());
+}
+
+/// An export that failed before has its file now.
+void MainWindow::tellDone(const QString& text) {
+    m_banner->clear(Topic::Export);
+    m_fields->showMessage(text);
+}
+
+void MainWindow::showSelection() {
+    const Document& document = m_session.document();
+    const bool hasPicture = !document.isEmpty() && document.dimension() == 2 &&
+                            (document.picture() || !document.domain().texture.empty());
+    m_actions->setHasFile(!document.isEmpty(), hasPicture, document.dimension() == 3);
+    m_actions->setHasSelection(!m_session.selection().isEmpty());
+    m_actions->setHasMotion(m_session.playback().end() > 0);
+}
+
+void MainWindow::updateIcons() {
+    for (ActionMaker* maker :
+         std::initializer_list<ActionMaker*>{m_actions, m_solidActions, m_tools, m_pictureActions, m_pins})
+        maker->setIcons(palette());
+    m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
+    showMoreArrows();
+}
+
+}  // namespace wend

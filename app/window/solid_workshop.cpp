@@ -1,0 +1,254 @@
+#include "app/window/solid_workshop.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+
+#include "app/base/preferences.h"
+#include "app/base/said.h"
+#include "app/engine/motion/pose_places.h"
+#include "app/panels/cut_panel.h"
+#include "app/panels/distortion_panel.h"
+#include "app/panels/facts_panel.h"
+#include "app/panels/layer_panel.h"
+#include "app/panels/measure_panel.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/session/opening.h"
+#include "app/views/volume/solid_canvas.h"
+#include "app/window/actions/actions.h"
+#include "app/window/export/picture_dialog.h"
+#include "app/window/export/save_dialog.h"
+#include "app/window/export/view_picture.h"
+#include "app/window/files/detail_chooser.h"
+#include "app/window/properties.h"
+#include "app/window/surface/surface_check.h"
+#include "app/window/view_looks.h"
+#include "core/base/error.h"
+
+namespace wend {
+
+SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
+    : QObject(&window),
+      m_around(around),
+      m_window(window),
+      m_actions(around.solids),
+      m_check(new SurfaceCheck(around.session, around.properties.surface(), window)),
+      m_detail(new DetailChooser(around.session.document(), window)) {
+    connectDetail();
+    around.properties.showCutWhile(*m_actions.cut);
+}
+
+void SolidWorkshop::setActive(bool active) {
+    if (active && !m_page) makePage();
+    m_isActive = active;
+    m_actions.setShown(active && m_canvas);
+    if (!active || !m_canvas) return;
+    m_canvas->setCutKind(CutKind::None);
+    m_actions.setHasDetail(m_canvas->hasDetail());
+    showCut();
+}
+
+void SolidWorkshop::takeUpTool() {
+    m_check->leave();
+}
+
+void SolidWorkshop::makePage() {
+    if (!VolumeView::available()) {
+        auto* label =
+            new QLabel(tr("Solids need OpenGL 3.3, which this system does not have. The command line (wend "
+                          "run) still works with them."));
+        label->setAlignment(Qt::AlignCenter);
+        label->setWordWrap(true);
+        m_page = label;
+        return;
+    }
+    m_page = m_canvas = new SolidCanvas(m_around.session);
+    m_check->setCanvas(m_canvas);
+    connectView();
+    connectNavigation();
+    connectCut();
+}
+
+void SolidWorkshop::connectView() {
+    Actions& common = m_around.actions;
+    DistortionPanel& maps = m_around.properties.distortion();
+    Viewport& view = m_canvas->viewport();
+    connectLooks(m_canvas);
+    connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
+    const auto zoom = [this](double factor) {
+        m_canvas->camera().zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0},
+                                m_canvas->size());
+        m_canvas->update();
+        emit m_canvas->cameraChanged();
+    };
+    connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
+    connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
+    connect(&m_around.session, &ShapeSession::frameChanged, this,
+            [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
+    connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
+            [&view](const QString& layer) { view.set(&Looks::layer, layer); });
+    connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
+        if (m_isActive) m_canvas->showWorst();
+    });
+    connect(&maps, &DistortionPanel::placeWanted, m_canvas, [this](const Vec<3>& at) {
+        if (m_isActive) m_canvas->showPlace(at);
+    });
+    connect(&m_around.properties.facts(), &FactsPanel::cellWanted, m_canvas, [this](int cell) {
+        if (m_isActive) m_canvas->showCell(cell);
+    });
+    connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
+            [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });
+    const auto tellMissing = [this](const QStringList& files) {
+        m_around.session.notify(tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
+    };
+    connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
+    connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
+    emit viewportMade(view);
+}
+
+void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
+    Viewport& view = canvas->viewport();
+    followLooks(view, m_around.actions, m_around.properties.distortion());
+    followLook(view, m_actions.detail, &Looks::detail);
+    followLook(view, m_actions.flat, &Looks::flat);
+    canvas->setOrthographic(m_actions.orthographic->isChecked());
+    connect(m_actions.orthographic, &QAction::toggled, canvas, &VolumeView::setOrthographic);
+}
+
+/// Connects viewpoints and mouse navigation.
+void SolidWorkshop::connectNavigation() {
+    SolidActions& a = m_actions;
+    using Axis = Camera::Axis;
+    for (const auto& [action, axis] : {std::pair{a.front, Axis::Front},
+                                       {a.back, Axis::Back},
+                                       {a.right, Axis::Right},
+                                       {a.left, Axis::Left},
+                                       {a.top, Axis::Top},
+                                       {a.bottom, Axis::Bottom},
+                                       {a.oblique, Axis::Isometric}})
+        connect(action, &QAction::triggered, m_canvas, [this, axis = axis] { m_canvas->look(axis); });
+    for (int k = 0; k < 3; ++k)
+        connect(a.upAxes[k], &QAction::triggered, this,
+                [this, k] { changeSetting(m_around.session.document(), "view.up", k); });
+    connect(m_canvas, &VolumeView::cameraChanged, this,
+            [this] { m_actions.orthographic->setChecked(m_canvas->camera().orthographic()); });
+    const std::array<QAction*, 3> presets = {a.wendKeys, a.vtkKeys, a.blenderKeys};
+    for (int k = 0; k < 3; ++k)
+        connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
+            if (!on) return;
+            m_canvas->setPreset(static_cast<NavigationPreset>(k));
+            preferences::navigation.set(k);
+        });
+    presets[std::clamp(preferences::navigation.value(), 0, 2)]->setChecked(true);
+    m_canvas->setPreset(static_cast<NavigationPreset>(preferences::navigation.value()));
+}
+
+void SolidWorkshop::connectCut() {
+    connect(m_actions.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
+    connect(m_actions.cut, &QAction::toggled, m_canvas,
+            [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
+    CutPanel* panel = &m_around.properties.cut();
+    connect(panel, &CutPanel::kindChosen, m_canvas, [this](int kind) {
+        if (kind > 0) m_lastCut = kind;
+        m_canvas->setCutKind(static_cast<CutKind>(kind));
+    });
+    connect(panel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
+    connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
+    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
+}
+
+void SolidWorkshop::connectDetail() {
+    connect(m_actions.chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
+    connect(m_actions.removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
+    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
+    connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
+    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions.detail->setChecked(true); });
+}
+
+void SolidWorkshop::showDomain() {
+    const Document& document = m_around.session.document();
+    if (document.dimension() != 3) return;
+    const Domain& domain = document.domain();
+    m_actions.setHasChosenDetail(!domain.detail.empty());
+    m_actions.setMeshed(domain.kind == DomainKind::Surface);
+    m_actions.setUpAxis(document.up());
+    if (domain.kind != DomainKind::Surface && m_actions.sizes->isChecked())
+        m_around.actions.pinTool->setChecked(true);
+}
+
+void SolidWorkshop::exportView() {
+    askForView({});
+}
+
+void SolidWorkshop::exportFilm() {
+    const ShapeSession& session = m_around.session;
+    if (!session.frame() || session.isBusy() || session.isStale())
+        return emit failed(tr("The shape is still being computed. Try again in a moment."));
+    const Document& document = session.document();
+    askForView(FilmSubject{document.project(), session.playback().end(), document.folder().toStdString()});
+}
+
+void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
+    if (!m_canvas) return;
+    PictureDialog dialog(
+        m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
+        [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); }, film);
+    QString path;
+    while (path.isEmpty()) {
+        if (dialog.exec() != QDialog::Accepted) return;
+        const Document& document = m_around.session.document();
+        const QString name = QFileInfo(document.displayName()).completeBaseName() + dialog.extension();
+        path = askFileToWrite(&m_window, dialog.windowTitle(), QDir(proposedFolder(document)).filePath(name),
+                              dialog.filter());
+        if (!path.isEmpty() && m_mayReplace && !m_mayReplace(path)) path.clear();
+    }
+    try {
+        if (writeViewPicture(path, *m_canvas, dialog.choice()))
+            emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    } catch (const std::exception& error) {
+        emit failed(tr("Nothing was written. %1").arg(said(error)));
+    }
+}
+
+QImage SolidWorkshop::smallView(const QSize& size) {
+    const auto frame = m_around.session.frame<3>();
+    if (!m_canvas || !frame) return {};
+    const double ratio = m_window.devicePixelRatioF();
+    QImage picture = m_plain.draw(*m_canvas, *frame, size * ratio);
+    picture.setDevicePixelRatio(ratio);
+    return picture;
+}
+
+void SolidWorkshop::showCut() {
+    if (!m_canvas) return;
+    const QSignalBlocker quiet(m_actions.cut);
+    m_actions.cut->setChecked(m_canvas->cut() != CutKind::None);
+    CutPanel& cut = m_around.properties.cut();
+    const auto frame = m_around.session.frame<3>();
+    if (!frame) {
+        cut.showNothing();
+        return;
+    }
+    cut.show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(), frame->pose.rowwise().minCoeff(),
+             frame->pose.rowwise().maxCoeff());
+}
+
+void SolidWorkshop::holdBeyondCut() {
+    const auto frame = m_around.session.frame<3>();
+    if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    if (frame->pose == frame->rest->points) {  // at rest it can be a region
+        const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
+        if (!verticesInside<3>(half, *frame->rest).empty())
+            m_around.session.addHandle<3>(half, tr("Region").toStdString());
+        return;
+    }
+    std::vector<int> beyond;
+    for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
+        if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
+    ShapeSession& session = m_around.session;
+    if (!beyond.empty()) session.addHandle<3>(session.placementOf(beyond), tr("Area").toStdString());
+}
+
+}  // namespace wend

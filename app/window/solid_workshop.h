@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/tools/tool.h"
+#include "app/views/volume/plain_view.h"
+#include "app/window/actions/solid_actions.h"
+#include "app/window/export/picture_dialog.h"
+
+namespace wend {
+
+class Actions;
+class DetailChooser;
+class Properties;
+class ShapeSession;
+class SolidCanvas;
+class SurfaceCheck;
+class Viewport;
+
+/// The window's support of solids: their view (made for the first solid, since it needs OpenGL) and their
+/// commands.
+class SolidWorkshop : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Surroundings {
+        ShapeSession& session;
+        Actions& actions;
+        SolidActions& solids;
+        Properties& properties;
+    };
+    SolidWorkshop(const Surroundings& around, QWidget& window);
+
+    SolidActions& actions() { return m_actions; }
+    /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
+    void setActive(bool active);
+    bool isActive() const { return m_isActive; }
+    /// Shows the domain's panels once the tools for solids exist.
+    void showDomain();
+    /// Returns to the solid after a change of tool or step.
+    void takeUpTool();
+    /// Asks for size and name and writes the view as a picture.
+    void exportView();
+    /// Does the same for a film of the motion.
+    void exportFilm();
+    /// Returns the solid from the direction of the view, as files show it: without map and cut. Null without
+    /// a solid.
+    QImage smallView(const QSize& size);
+    /// Connects the view options of a canvas, for both halves.
+    void connectLooks(wend::SolidCanvas* canvas);
+    /// Asked before a file is written.
+    void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
+    /// Returns the page of the window; null before the first solid.
+    QWidget* page() const { return m_page; }
+    /// Returns null if OpenGL is missing.
+    SolidCanvas* canvas() const { return m_canvas; }
+
+  signals:
+    /// The view of solids is there.
+    void viewportMade(wend::Viewport& view);
+    void failed(QString text);
+    void done(QString text);
+
+  private:
+    void askForView(const std::optional<FilmSubject>& film);
+    void makePage();
+    void connectView();
+    void connectNavigation();
+    void connectCut();
+    void connectDetail();
+    void showCut();
+    void holdBeyondCut();
+
+    Surroundings m_around;
+    QWidget& m_window;
+    SolidActions& m_actions;
+    SurfaceCheck* m_check;
+    DetailChooser* m_detail;
+    QWidget* m_page = nullptr;
+    SolidCanvas* m_canvas = nullptr;
+    std::function<bool(const QString&)> m_mayReplace;
+    bool m_isActive = false;
+    int m_lastCut = 2;
+    PlainView m_plain;
+};
+
+}  // namespace wend

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/types.h"
+
+namespace wend {
+
+/// These functions write and read numbers in the C locale regardless of the user's locale, by std::to_chars
+/// and std::from_chars.
+
+/// Appends 17 significant digits, enough to read the identical double back.
+void appendNumber(std::string& text, double value);
+
+/// Returns at most nine significant digits, for messages and command lines.
+std::string numberText(double value);
+
+/// Returns at most six significant digits, for times in messages.
+std::string timeText(double time);
+
+/// Returns (x, y) or (x, y, z) with at most nine significant digits, for messages: enough to distinguish
+/// points of a shape far from the origin, and 0.1 + 0.2 is 0.3.
+template <int Dim>
+std::string placeName(const Vec<Dim>& p);
+
+/// Parses the whole text as a number (a leading +, nan and inf are accepted); nothing if it is none.
+/// Underflow gives zero; overflow gives nothing.
+std::optional<double> parseNumber(std::string_view text);
+
+}  // namespace wend

@@ -1,0 +1,488 @@
+#include <QTest>
+#include <random>
+
+#include "app/project/edits/key_edits.h"
+#include "app/project/edits/pose_edits.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
+#include "app/project/project.h"
+#include "core/motion/constraints.h"
+#include "core/motion/trajectory.h"
+
+using namespace wend;
+
+/// Poses at times: a drag at a time sets where a pin is then, and all other times stay as they were.
+class TestPoses : public QObject {
+    Q_OBJECT
+  private slots:
+    void leadsThroughTheNewPose();
+    void movesAKeyPose();
+    void comesFromWhereItHeld();
+    void startsAtRest();
+    void pathsAreSplitExactly_data();
+    void pathsAreSplitExactly();
+    void scalingsAndFieldsAreSplitExactly_data();
+    void scalingsAndFieldsAreSplitExactly();
+    void easedScalingsAreLeft();
+    void evenRotationsStayRotations_data();
+    void evenRotationsStayRotations();
+    void rotationsAreKept_data();
+    void rotationsAreKept();
+    void longerFilmKeepsItsTimes();
+    void randomPosesKeepTheRest_data();
+    void randomPosesKeepTheRest();
+};
+
+namespace {
+
+template <int Dim>
+Handle<Dim> pin(const std::string& name) {
+    Handle<Dim> handle;
+    handle.name = name;
+    handle.at = std::vector<Vec<Dim>>{Vec<Dim>::Zero()};
+    return handle;
+}
+
+/// One that moves from 0 to 1 s and from 2 to 3 s in a film of 4 s, and one that does not move.
+template <int Dim>
+Project film() {
+    Design<Dim> design;
+    design.handles = {pin<Dim>("A"), pin<Dim>("B")};
+    design.handles[0].motions = {{Translate<Dim>{Vec<Dim>::Unit(0)}, 0, 1},
+                                 {Translate<Dim>{2 * Vec<Dim>::Unit(1)}, 2, 3}};
+    Project project;
+    project.end = 4;
+    project.design = design;
+    return project;
+}
+
+/// The place of a handle's point that rests at the origin.
+template <int Dim>
+Vec<Dim> placeAt(const Project& project, int handle, double time) {
+    const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[handle]);
+    return timeline.bodyAt(time, Side::Before).position(Vec<Dim>::Zero());
+}
+
+template <int Dim>
+std::optional<Project> posed(const Project& project, int handle, double time, const Vec<Dim>& by) {
+    Gesture gesture;
+    gesture.handles = {handle};
+    gesture.path = {Amount::Zero(), amountOf<Dim>(by)};
+    gesture.from = time;
+    return withPose<Dim>(project, gesture, {placeAt<Dim>(project, handle, time)});
+}
+
+}  // namespace
+
+void TestPoses::leadsThroughTheNewPose() {
+    const Project before = film<2>();
+    const auto after = posed<2>(before, 0, 2.5, {3, 0});
+    QVERIFY(after);
+    QCOMPARE(std::get<Design<2>>(after->design).handles[0].motions.size(), 3U);
+    QCOMPARE(after->end, 4.0);
+    for (const double time : {0.0, 0.3, 1.0, 1.7, 2.0, 3.0, 3.5})
+        QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.5) - Vec<2>(4, 1)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.25) - Vec<2>(2.5, 0.5)).norm() < 1e-14);
+}
+
+void TestPoses::movesAKeyPose() {
+    const Project before = film<2>();
+    const auto after = posed<2>(before, 0, 1, {0, 5});  // it holds there until 2
+    QVERIFY(after);
+    QVERIFY((placeAt<2>(*after, 0, 1) - Vec<2>(1, 5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 0.5) - Vec<2>(0.5, 2.5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 1.5) - Vec<2>(1, 2.5)).norm() < 1e-14);
+    for (const double time : {0.0, 2.0, 2.5, 3.0, 4.0})
+        QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
+    const auto last = posed<2>(before, 0, 3, {7, 0});
+    QVERIFY(last);
+    QCOMPARE(std::get<Design<2>>(last->design).handles[0].motions.size(), 2U);
+    QVERIFY((placeAt<2>(*last, 0, 4) - Vec<2>(8, 2)).norm() < 1e-14);
+}
+
+void TestPoses::comesFromWhereItHeld() {
+    const auto after = posed<2>(film<2>(), 1, 1.5, {6, 0});
+    QVERIFY(after);
+    QVERIFY((placeAt<2>(*after, 1, 0.75) - Vec<2>(3, 0)).norm() < 1e-14);
+    for (const double time : {1.5, 2.0, 4.0})
+        QVERIFY((placeAt<2>(*after, 1, time) - Vec<2>(6, 0)).norm() < 1e-14);
+}
+
+/// Nothing can be posed before a handle acts: that is the shape at rest.
+void TestPoses::startsAtRest() {
+    QVERIFY(!posed<2>(film<2>(), 0, 0, {1, 0}));
+    QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0}));
+}
+
+void TestPoses::pathsAreSplitExactly_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("interpolation");
+    QTest::addColumn<int>("motions");
+    QTest::addColumn<int>("easing");
+    const int even = int(Ease::Linear);
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("chain, %dD", dimension) << dimension << int(Interpolation::Bezier) << 4 << even;
+        QTest::addRow("spline, %dD", dimension) << dimension << int(Interpolation::Spline) << 7 << even;
+        for (const Ease ease : {Ease::In, Ease::Out, Ease::InOut})
+            QTest::addRow("polyline with easing %d, %dD", int(ease), dimension)
+                << dimension << int(Interpolation::Polyline) << 7 << int(ease);
+    }
+}
+
+/// A chain of four cubics, a spline through seven points of unequal distances, and eased polylines: at all
+/// times the pin is where it was, plus the displacement times a factor that rises from the path's start to
+/// the pose and falls to its end. The places before are the trajectory's own.
+void TestPoses::pathsAreSplitExactly() {
+    QFETCH(int, dimension);
+    QFETCH(int, interpolation);
+    QFETCH(int, motions);
+    QFETCH(int, easing);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> any(-5, 5);
+        CurveMotion<Dim> curve;
+        curve.interpolation = static_cast<Interpolation>(interpolation);
+        for (int k = 0; k < (curve.interpolation == Interpolation::Bezier ? 13 : 7); ++k) {
+            Vec<Dim> point;
+            for (int i = 0; i < Dim; ++i) point[i] = any(random);
+            curve.points.push_back(k == 0 ? Vec<Dim>(Vec<Dim>::Zero()) : point);
+        }
+        Project before = film<Dim>();
+        std::get<Design<Dim>>(before.design).handles[0].motions = {
+            {curve, 0.5, 3.5, static_cast<Ease>(easing)}};
+        const Vec<Dim> by = 2 * Vec<Dim>::Unit(0) - Vec<Dim>::Unit(1);
+        const double time = easing == int(Ease::In) ? 2.3 : 1.7;  // not too near a joint
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        QCOMPARE(int(std::get<Design<Dim>>(after->design).handles[0].motions.size()), motions);
+        double worst = 0;
+        for (int k = 0; k <= 400; ++k) {
+            const double t = 4 * k / 400.0;
+            const double factor =
+                std::clamp(std::min((t - 0.5) / (time - 0.5), (3.5 - t) / (3.5 - time)), 0.0, 1.0);
+            const Vec<Dim> wanted = placeAt<Dim>(before, 0, t) + factor * by;
+            worst = std::max(worst, (placeAt<Dim>(*after, 0, t) - wanted).norm());
+        }
+        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+void TestPoses::scalingsAndFieldsAreSplitExactly_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("kind");
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("about a centre, %dD", dimension) << dimension << 1;
+        QTest::addRow("along a chain, %dD", dimension) << dimension << 4;
+        QTest::addRow("along a spline, %dD", dimension) << dimension << 0;
+        QTest::addRow("field, %dD", dimension) << dimension << -1;
+    }
+}
+
+/// Points of a body that grows, and the share of a field: beside where they were by the displacement times
+/// its factor at all times, and where they were once the key is removed.
+void TestPoses::scalingsAndFieldsAreSplitExactly() {
+    QFETCH(int, dimension);
+    QFETCH(int, kind);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> any(-2, 2);
+        const auto anyPoint = [&] {
+            Vec<Dim> point;
+            for (int i = 0; i < Dim; ++i) point[i] = any(random);
+            return point;
+        };
+        Project before = film<Dim>();
+        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
+        const Vec<Dim> own = anyPoint();
+        if (kind < 0) {
+            FieldMotion<Dim> field;
+            field.values = std::make_shared<const Displacements<Dim>>(Displacements<Dim>{{7, own}});
+            motion.kind = field;
+        } else {
+            CurveMotion<Dim> grows;
+            grows.scale = 0.3;
+            grows.interpolation = kind == 0 ? Interpolation::Spline : Interpolation::Bezier;
+            for (int k = 0; k < (kind == 0 ? 5 : 3 * kind + 1); ++k)
+                grows.points.push_back(k == 0 || kind != 1 ? anyPoint() : grows.points.front());
+            motion.kind = grows;
+        }
+        const double time = 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {  // of vertex 7
+            Vec<Dim> place = p;
+            for (const auto& one : std::get<Design<Dim>>(project.design).handles[0].motions) {
+                const auto map = Trajectory<Dim>(one).at(t, Side::Before);
+                place = map.position(place);
+                if (const auto* field = std::get_if<FieldMotion<Dim>>(&one.kind))
+                    place += map.share * field->values->front().second;
+            }
+            return place;
+        };
+        const auto isBeside = [&](const Project& project, const Vec<Dim>& displacement) {
+            double worst = 0;
+            for (int k = 0; k <= 80; ++k) {
+                const double t = k / 20.0;
+                const double factor =
+                    std::clamp(std::min((t - 2) / (time - 2), (3 - t) / (3 - time)), 0.0, 1.0);
+                for (int i = 0; i < Dim; ++i) {
+                    const Vec<Dim> p = Vec<Dim>::Unit(i);
+                    worst = std::max(worst,
+                                     (at(project, t, p) - at(before, t, p) - factor * displacement).norm());
+                }
+            }
+            return worst < 1e-12;
+        };
+        QVERIFY(isBeside(*after, by));
+        if (kind != 1) return;
+        Project removed = *after;
+        removed.design = withoutKeys(after->design, {{0, time}});
+        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
+        QVERIFY(isBeside(removed, Vec<Dim>::Zero()));
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+/// A part of an easing is none of the easings; at the end of the motion its pose moves.
+void TestPoses::easedScalingsAreLeft() {
+    Project project = film<2>();
+    CurveMotion<2> grows;
+    grows.points = {{0, 0}, {1, 0}, {2, 1}, {3, 3}};
+    grows.scale = 2;
+    auto& motion = std::get<Design<2>>(project.design).handles[0].motions[1];
+    motion.kind = grows;
+    motion.ease = Ease::InOut;
+    QVERIFY(!posed<2>(project, 0, 2.5, {1, 0}));
+    QVERIFY(posed<2>(project, 0, 0.5, {1, 0}));
+    const auto after = posed<2>(project, 0, 3, {1, 0});
+    QVERIFY(after);
+    const Vec<2> moved = placeAt<2>(*after, 0, 3) - placeAt<2>(project, 0, 3);
+    QVERIFY((moved - Vec<2>(1, 0)).norm() < 1e-12);
+}
+
+void TestPoses::evenRotationsStayRotations_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<bool>("isAcross");
+    QTest::addRow("2D") << 2 << true;
+    QTest::addRow("3D, across the axis") << 3 << true;
+    QTest::addRow("3D, along the axis too") << 3 << false;
+}
+
+/// The body has the rotation that it had at all times, is beside its place at the key, and where it was
+/// before and after. Without the key it is the rotation from before.
+void TestPoses::evenRotationsStayRotations() {
+    QFETCH(int, dimension);
+    QFETCH(bool, isAcross);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        Project before = film<Dim>();
+        Rotate<Dim> turn;
+        turn.centre = 3 * Vec<Dim>::Unit(1);
+        turn.axis = Vec<Dim>::Unit(Dim - 1) * (Dim == 3 ? 2 : 0);
+        turn.angle = 2.5;
+        std::get<Design<Dim>>(before.design).handles[0].motions[1].kind = turn;  // from 2 to 3
+        const double time = 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1) +
+                            (isAcross ? 0 : 0.4) * Vec<Dim>::Unit(Dim - 1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto& motions = std::get<Design<Dim>>(after->design).handles[0].motions;
+        QCOMPARE(int(motions.size()), 3);
+        QCOMPARE(std::holds_alternative<Rotate<Dim>>(motions[1].kind), isAcross);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
+            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+            return timeline.bodyAt(t, Side::Before).position(p);
+        };
+        Project removed = *after;
+        removed.design = withoutKeys(after->design, {{0, time}});
+        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
+        for (int k = 0; k <= 80; ++k) {
+            const double t = k / 20.0;
+            const Vec<Dim> zero = Vec<Dim>::Zero(), off = at(*after, t, zero) - at(before, t, zero);
+            for (int i = 0; i < Dim; ++i) {
+                const Vec<Dim> p = Vec<Dim>::Unit(i);
+                QVERIFY((at(*after, t, p) - at(before, t, p) - off).norm() < 1e-12);  // the same rotation
+                QVERIFY((at(removed, t, p) - at(before, t, p)).norm() < 1e-12);
+            }
+            QVERIFY(off.norm() < 1.5 * by.norm());
+            if (t <= 2 || t >= 3) QVERIFY(off.norm() < 1e-12);
+            if (k == 48) QVERIFY((off - by).norm() < 1e-12);
+        }
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+void TestPoses::rotationsAreKept_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::addColumn<int>("kind");
+    for (const int dimension : {2, 3}) {
+        QTest::addRow("rotation, %dD", dimension) << dimension << 0;
+        QTest::addRow("frame, %dD", dimension) << dimension << 1;
+        QTest::addRow("rotation at a key, %dD", dimension) << dimension << 2;
+    }
+}
+
+/// Three points of a body that rotates: they move beside where they were by the same displacement, times its
+/// factor; before the motion and after it they are where they were.
+void TestPoses::rotationsAreKept() {
+    QFETCH(int, dimension);
+    QFETCH(int, kind);
+    const auto check = [&](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        Project before = film<Dim>();
+        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
+        if (kind == 1) {
+            CurveMotion<Dim> curve;
+            curve.frame = FrameKind::Minimal;
+            for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {3.0, 2.0}, {2.0, 4.0}})
+                curve.points.push_back(x * Vec<Dim>::Unit(0) + y * Vec<Dim>::Unit(Dim - 1));
+            motion.kind = curve;
+        } else {
+            Rotate<Dim> turn;
+            turn.centre = 3 * Vec<Dim>::Unit(1);
+            turn.axis = Vec<Dim>::Constant(1).normalized();
+            turn.angle = 4;  // more than half a turn
+            motion.kind = turn;
+        }
+        motion.ease = Ease::InOut;
+        const double time = kind == 2 ? 3 : 2.4;
+        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const auto after = posed<Dim>(before, 0, time, by);
+        QVERIFY(after);
+        const auto& handle = std::get<Design<Dim>>(after->design).handles[0];
+        QCOMPARE(int(handle.motions.size()), kind == 2 ? 2 : 3);
+        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
+            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+            return timeline.bodyAt(t, Side::Before).position(p);
+        };
+        double worst = 0;
+        for (int k = 0; k <= 80; ++k) {
+            const double t = k / 20.0;
+            const double rises = (t - 2) / (time - 2), falls = kind == 2 ? 1 : (3 - t) / (3 - time);
+            const double factor = std::clamp(std::min(rises, falls), 0.0, 1.0);
+            for (int i = 0; i < Dim; ++i) {
+                const Vec<Dim> p = Vec<Dim>::Unit(i), off = at(*after, t, p) - at(before, t, p) - factor * by;
+                worst = std::max(worst, off.norm());
+                if (t <= 2 || (t >= 3 && kind != 2) || t == time) QVERIFY(off.norm() < 1e-9);
+            }
+        }
+        QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
+        Project again = *after;
+        const auto file = toJson(again);
+        QVERIFY(file.find("\"poses\"") != std::string::npos);
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+void TestPoses::longerFilmKeepsItsTimes() {
+    const Project before = film<2>();
+    Gesture gesture;
+    gesture.handles = {1};
+    gesture.path = {Amount::Zero(), Amount(1, 0, 0), Amount(1, 3, 0)};
+    gesture.from = 4;
+    const Project after = withPoseAppended<2>(before, gesture, {Vec<2>::Zero()});
+    QCOMPARE(after.end, 5.0);
+    QVERIFY(placeAt<2>(after, 1, 5) == Vec<2>(1, 3));
+    QVERIFY((placeAt<2>(after, 1, 4.25) - Vec<2>(1, 0)).norm() < 1e-14);
+    for (double time = 0; time <= 4; time += 0.125) {
+        QVERIFY(placeAt<2>(after, 0, time) == placeAt<2>(before, 0, time));
+        QVERIFY(placeAt<2>(after, 1, time) == placeAt<2>(before, 1, time));
+    }
+}
+
+void TestPoses::randomPosesKeepTheRest_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::newRow("picture") << 2;
+    QTest::newRow("solid") << 3;
+}
+
+/// Thousands of poses at random times of random pins with recordings, eased moves and paths: the pin is where
+/// it was put; what lies beyond the neighbouring key poses, and all other pins, stays to the bit; the file
+/// reads back as the same.
+void TestPoses::randomPosesKeepTheRest() {
+    QFETCH(int, dimension);
+    const auto check = [](auto dim) {
+        constexpr int Dim = decltype(dim)::value;
+        std::mt19937 random(Dim);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const auto vector = [&] {
+            Vec<Dim> v;
+            for (int k = 0; k < Dim; ++k) v[k] = uniform(-5, 5);
+            return v;
+        };
+        int done = 0;
+        Project project = film<Dim>();
+        for (int round = 0; round < 1000; ++round) {
+            auto& handles = std::get<Design<Dim>>(project.design).handles;
+            if (round % 50 == 0) {  // others of each kind
+                project = film<Dim>();
+                auto& motions = std::get<Design<Dim>>(project.design).handles[0].motions;
+                motions[1].ease = static_cast<Ease>(round / 50 % 4);
+                CurveMotion<Dim> curve;
+                const bool isSpline = round / 50 % 3 == 1;
+                if (isSpline) curve.interpolation = Interpolation::Spline;
+                const int points = isSpline ? 6 : round / 50 % 3 == 0 ? 4 : 10;
+                for (int k = 0; k < points; ++k) curve.points.push_back(vector());
+                std::get<Design<Dim>>(project.design).handles[1].motions = {{curve, 0.5, 3}};
+                Recorded<Dim> stroke;
+                for (int k = 0; k < 6; ++k) stroke.times.push_back(k), stroke.points.push_back(vector());
+                if (round % 100 == 0) motions[0].kind = stroke;
+                continue;
+            }
+            const int handle = static_cast<int>(uniform(0, 2));
+            const double time = uniform(0, 4);
+            const Vec<Dim> by = vector();
+            const auto next = posed<Dim>(project, handle, time, by);
+            if (!next) continue;
+            ++done;
+            double before = -1, after = 1e9;  // key poses around
+            double key = time, off = 0.02;
+            for (const auto& motion : handles[handle].motions)  // the nearest end of a motion, else a start
+                if (std::abs(motion.end - time) < off) off = std::abs(motion.end - time), key = motion.end;
+            for (const auto& motion : handles[handle].motions)
+                if (key == time && std::abs(motion.start - time) < 0.02) key = motion.start;
+            for (const auto& motion : handles[handle].motions)
+                for (const double t : {motion.start, motion.end}) {
+                    if (t < key) before = std::max(before, t);
+                    if (t > key) after = std::min(after, t);
+                }
+            const Vec<Dim> wanted = placeAt<Dim>(project, handle, key) + by;
+            QVERIFY((placeAt<Dim>(*next, handle, key) - wanted).norm() < 1e-9);
+            for (double t = 0; t <= 4; t += 0.25) {
+                QVERIFY(placeAt<Dim>(*next, 1 - handle, t) == placeAt<Dim>(project, 1 - handle, t));
+                if (t <= before || t >= after)
+                    QVERIFY((placeAt<Dim>(*next, handle, t) - placeAt<Dim>(project, handle, t)).norm() <
+                            1e-9);
+            }
+            project = *next;
+        }
+        qInfo("%d poses", done);
+        QVERIFY(done > 500);
+    };
+    if (dimension == 2)
+        check(std::integral_constant<int, 2>());
+    else
+        check(std::integral_constant<int, 3>());
+}
+
+QTEST_APPLESS_MAIN(TestPoses)
+#include "test_poses.moc"
