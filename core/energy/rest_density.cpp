@@ -81,8 +81,7 @@ RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
         result.values[m] = value;
         result.modes.col(m++) = flat<Dim>(mode);
     };
-    for (int i = 0; i < Dim; ++i)
-        add(stretches.values[i], stretches.axes.col(i).asDiagonal());
+    for (int i = 0; i < Dim; ++i) add(stretches.values[i], stretches.axes.col(i).asDiagonal());
     for (int i = 0; i < Dim; ++i)
         for (int j = i + 1; j < Dim; ++j)
             for (const double sign : {-1.0, 1.0}) {  // a twist, a flip
