@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/energy/rest_density.h"
-
 namespace wend {
 namespace {
 
@@ -70,20 +68,15 @@ double RestEnergy<Dim>::energy(const Points<Dim>& shape) const {
     return sum;
 }
 
-/// Adds up what the corners of the cells have in m_force: all corners' sum is zero.
+/// Adds up the forces on the corners of every vertex.
 template <int Dim>
 void RestEnergy<Dim>::gather(Points<Dim>& sum, WorkerPool& workers) const {
     sum.resize(Dim, m_plan->vertexCount);
     workers.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             Vec<Dim> total = Vec<Dim>::Zero();
-            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i) {
-                const int cell = m_plan->corners[i] / (Dim + 1), k = m_plan->corners[i] % (Dim + 1);
-                if (k > 0)
-                    total += m_force[cell].col(k - 1);
-                else
-                    total -= m_force[cell].rowwise().sum();
-            }
+            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
+                total += m_force[m_plan->corners[i] / (Dim + 1)].col(m_plan->corners[i] % (Dim + 1));
             sum.col(p) = total;
         }
     });
@@ -94,18 +87,24 @@ template <int Dim>
 void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c)
-            m_force[c] = m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
-                         m_restInverse[c].transpose();
+            setForces(c, m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
+                             m_restInverse[c].transpose());
     });
     gather(gradient, workers);
 }
 
-/// Computes ∂²W/∂x_k ∂x_l = V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the modes M_m.
+/// Computes ∂²W/∂x_k ∂x_l, the exact one in closed form, others as V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the
+/// modes M_m.
 template <int Dim>
 void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, WorkerPool& workers) {
     m_hessian.resize(m_plan->cells.size());
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) {
+            if (negative == 1) {
+                m_hessian[c] = m_measure[c] * restHessian<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c),
+                                                               m_restInverse[c].transpose());
+                continue;
+            }
             auto [values, modes] = restModes<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c));
             for (double& value : values.reshaped()) value = std::max(value, negative * value);
             CellHessian onCorners;  // its rows are the modes on the corners 1 …
@@ -148,9 +147,9 @@ void RestEnergy<Dim>::applyHessian(const Points<Dim>& v, Points<Dim>& Hv, Worker
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
         for (int c = begin; c < end; ++c) {
             const Mat<Dim> edges = edgeMatrix<Dim>(v, m_plan->cells[c]);
-            Eigen::Map<Eigen::Matrix<double, Dim * Dim, 1>> force(m_force[c].data());
-            force.noalias() =
+            const Eigen::Matrix<double, Dim * Dim, 1> forces =
                 m_hessian[c] * Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(edges.data());
+            setForces(c, Eigen::Map<const Mat<Dim>>(forces.data()));
         }
     });
     gather(Hv, workers);

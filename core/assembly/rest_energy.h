@@ -7,6 +7,7 @@
 #include "core/assembly/assembly_plan.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/material.h"
+#include "core/energy/rest_density.h"
 #include "core/factor/worker_pool.h"
 
 namespace wend {
@@ -41,9 +42,13 @@ class RestEnergy {
     double unfoldedPart(const Points<Dim>& shape, const Points<Dim>& step) const;
 
   private:
-    using CellHessian = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
+    using CellHessian = CornerHessian<Dim>;
     Mat<Dim> mapOf(const Points<Dim>& shape, int cell) const;
     void gather(Points<Dim>& sum, WorkerPool& workers) const;
+    void setForces(int cell, const Mat<Dim>& forces) {
+        m_force[cell].template rightCols<Dim>() = forces;
+        m_force[cell].col(0) = -forces.rowwise().sum();
+    }
     Mat<Dim> hessianBlock(int left, int right) const;
     Mat<Dim> anisotropy(int c) const {
         return m_anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_anisotropy[c];
@@ -55,7 +60,8 @@ class RestEnergy {
     std::vector<Mat<Dim>> m_anisotropy;  // B₀, or empty: all identity
     std::vector<Mat<Dim>> m_restInverse;
     std::vector<double> m_measure;  // V₀
-    std::vector<Mat<Dim>> m_force;  // V₀ ∂w/∂F E₀⁻ᵀ: columns are the forces on the corners 1 …, of gradient()
+    // Forces on the corners, of gradient(): V₀ ∂w/∂F E₀⁻ᵀ on the corners 1 …, minus their sum on corner 0.
+    std::vector<Eigen::Matrix<double, Dim, Dim + 1>> m_force;
     std::vector<CellHessian> m_hessian;  // of the corners 1 … of the cell; corner 0 has minus their sum
 };
 

@@ -55,6 +55,13 @@ Stretch<3> stretchOf(const Mat<3>& F) {
 template <int Dim>
 using Modes = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
 
+/// Returns J^(−2/d).
+template <int Dim>
+double shrink(double J) {
+    if constexpr (Dim == 2) return 1 / J;
+    return 1 / std::cbrt(J * J);
+}
+
 template <int Dim>
 auto flat(const Mat<Dim>& M) {
     return Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(M.data());
@@ -66,7 +73,7 @@ template <int Dim>
 RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
     const auto [U, V, sigma] = stretchOf(F);
     const double J = sigma.prod(), squares = sigma.squaredNorm(), k = 4 * w.q / Dim + w.r,
-                 a = 4 * w.q * std::pow(J, -2.0 / Dim), b = k * (J - 1 / J) - a * squares / Dim,
+                 a = 4 * w.q * shrink<Dim>(J), b = k * (J - 1 / J) - a * squares / Dim,
                  c = k * (J + 1 / J) + 2 * a * squares / (Dim * Dim);
     Mat<Dim> bySigma;  // ∂²ψ/∂σ²
     for (int i = 0; i < Dim; ++i)
@@ -125,7 +132,7 @@ double restDensity(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     const double J = F.determinant();
     if (!(J > 0)) return std::numeric_limits<double>::infinity();
     if (isIdentity<Dim>(B0)) {
-        const double angle = F.squaredNorm() * std::pow(J, -2.0 / Dim) - Dim;
+        const double angle = F.squaredNorm() * shrink<Dim>(J) - Dim;
         return 2 * w.q * angle + (4 * w.q / Dim + w.r) * (J - 1) * (J - 1) / J;
     }
     const Mat<Dim> E = twiceGreenStrain<Dim>(F), BE = B0 * E;
@@ -141,7 +148,7 @@ Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     const double J = F.determinant();
     const Mat<Dim> inverse = F.inverse().transpose();
     if (isIdentity<Dim>(B0)) {
-        const double angle = 4 * w.q * std::pow(J, -2.0 / Dim), volume = (4 * w.q / Dim + w.r) * (J - 1 / J);
+        const double angle = 4 * w.q * shrink<Dim>(J), volume = (4 * w.q / Dim + w.r) * (J - 1 / J);
         return angle * F + (volume - angle * F.squaredNorm() / Dim) * inverse;
     }
     const Mat<Dim> BE = B0 * E;
@@ -158,10 +165,40 @@ RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F)
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-#define WEND_INSTANTIATE(Dim)                                                           \
-    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);  \
-    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&); \
-    template RestModes<Dim> restModes<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);
+template <int Dim>
+CornerHessian<Dim> restHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F, const Mat<Dim>& hats) {
+    CornerHessian<Dim> H;
+    if (!isIdentity<Dim>(B0)) {
+        Modes<Dim> onCorners = Modes<Dim>::Zero();  // ∂F/∂x, F column by column
+        for (int k = 0; k < Dim; ++k)
+            for (int b = 0; b < Dim; ++b)
+                for (int i = 0; i < Dim; ++i) onCorners(Dim * b + i, Dim * k + i) = hats(b, k);
+        const Modes<Dim> half = onCorners.transpose() * anisotropicHessian<Dim>(w, B0, F) * onCorners;
+        H = 0.5 * (half + half.transpose());
+        return H;
+    }
+    const double J = F.determinant(), squares = F.squaredNorm(), k = 4 * w.q / Dim + w.r,
+                 a = 4 * w.q * shrink<Dim>(J), b = k * (J - 1 / J) - a * squares / Dim,
+                 c = k * (J + 1 / J) + 2 * a * squares / (Dim * Dim);
+    const Mat<Dim> f = 2 * a / Dim * F * hats, n = F.inverse().transpose() * hats;
+    for (int l = 0; l < Dim; ++l)
+        for (int m = l; m < Dim; ++m) {
+            const double inner = a * hats.col(l).dot(hats.col(m));
+            for (int i = 0; i < Dim; ++i)
+                for (int j = 0; j < Dim; ++j)
+                    H(Dim * l + i, Dim * m + j) = H(Dim * m + j, Dim * l + i) =
+                        (i == j ? inner : 0) - (f(i, l) * n(j, m) + n(i, l) * f(j, m)) +
+                        c * n(i, l) * n(j, m) - b * n(i, m) * n(j, l);
+        }
+    return H;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                     \
+    template double restDensity<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);            \
+    template Mat<Dim> restStress<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);           \
+    template RestModes<Dim> restModes<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&);      \
+    template CornerHessian<Dim> restHessian<Dim>(EnergyWeights, const Mat<Dim>&, const Mat<Dim>&, \
+                                                 const Mat<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

@@ -33,4 +33,14 @@ struct RestModes {
 template <int Dim>
 RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F);
 
+/// A symmetric matrix on the corners 1 … of a cell: coordinate a of corner k is number Dim · (k − 1) + a.
+template <int Dim>
+using CornerHessian = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
+/// Returns ∂²w/∂x_k ∂x_l at the corners of a cell whose columns of `hats` are the hat gradients h_k at rest,
+/// for J > 0. For B₀ = I, with f_k = F h_k, n_k = F⁻ᵀ h_k, a = 4 w_q J^(−2/d), k = 4 w_q/d + w_r, s = ‖F‖²,
+/// b = k (J − 1/J) − a s/d and c = k (J + 1/J) + 2 a s/d², the block of two corners is
+///   a (h_k · h_l) I − (2a/d) (f_k n_lᵀ + n_k f_lᵀ) + c n_k n_lᵀ − b n_l n_kᵀ.
+template <int Dim>
+CornerHessian<Dim> restHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F, const Mat<Dim>& hats);
+
 }  // namespace wend

@@ -31,6 +31,11 @@ constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.
 constexpr double kQuickly = 0.4;
 constexpr int kNestedDissectionVertices = 8000;
+// Errors of predict(): in sizes, and relative to the step. It ends after so many iterations, and then makes
+// a new factor, which is expected to leave a hundredth of the error at first.
+constexpr double kPredicted = 2e-5, kOfStep = 0.01;
+constexpr int kMostPredicting = 12;
+constexpr double kFreshContraction = 0.01;
 
 }  // namespace
 
@@ -48,7 +53,7 @@ RestMinimizer<Dim>::RestMinimizer(const AssemblyPlan<Dim>& plan, RestEnergy<Dim>
 
 /// Assembles and factorizes the Hessian with a part of the cells' negative curvature.
 template <int Dim>
-SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>& shape,
+SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, FactorKind kind, const Points<Dim>& shape,
                                              const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
     {
         const Stopwatch watch(m_statistics.assemble);
@@ -70,7 +75,7 @@ SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>&
     const Stopwatch watch(m_statistics.factor);
     ++m_statistics.factorizations;
     m_isMade = false;
-    const auto status = m_factor.factorize(m_factor.quickest(FactorKind::Double), m_workers, stop);
+    const auto status = m_factor.factorize(m_factor.quickest(kind), m_workers, stop);
     m_statistics.needed = std::max(m_statistics.needed, m_factor.needed());
     switch (status) {
         case Factor::Status::Stopped:
@@ -83,25 +88,30 @@ SolveOutcome RestMinimizer<Dim>::factorizeAs(double negative, const Points<Dim>&
             break;
     }
     m_isMade = true;
+    m_policy.factorized();
+    m_contraction = kFreshContraction;
     return {};
 }
 
 /// Factorizes the exact Hessian if that is positive definite, else one with as much of its negative curvature
 /// as possible: where a shape is about to buckle most of it is, and steps are long.
 template <int Dim>
-SolveOutcome RestMinimizer<Dim>::factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
-                                           const std::stop_token& stop) {
+SolveOutcome RestMinimizer<Dim>::factorize(FactorKind kind, const Points<Dim>& shape,
+                                           const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
     if (!m_factor.isAnalyzed()) {
         const Stopwatch watch(m_statistics.analyze);
         const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
         if (!m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
                               small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
             return {SolveOutcome::Kind::Stopped, -1};
+        const SolverCost cost{m_factor.flops(), m_factor.entries(), static_cast<double>(m_plan.own.size()),
+                              static_cast<double>(m_plan.cellCount()), Dim};
+        m_policy.setCosts(cost.factor(), cost.iteration());
     }
     std::size_t level = m_untilExact == 0 ? 0 : std::max<std::size_t>(m_level, 1);
     m_untilExact = std::max(m_untilExact - 1, 0);
     for (;; ++level) {
-        const SolveOutcome outcome = factorizeAs(kNegative[level], shape, proximal, stop);
+        const SolveOutcome outcome = factorizeAs(kNegative[level], kind, shape, proximal, stop);
         m_level = level;
         m_isExact = level == 0;
         if (outcome.kind != SolveOutcome::Kind::NotPositiveDefinite || level + 1 == kNegative.size())
@@ -133,24 +143,97 @@ double RestMinimizer<Dim>::slope(const Points<Dim>& shape, const ProximalTerm<Di
     return m_reduced.norm();
 }
 
+/// Computes Zᵀ H v of the Hessian that was computed last.
 template <int Dim>
-SolveOutcome RestMinimizer<Dim>::predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
+void RestMinimizer<Dim>::product(const Points<Dim>& v, const ProximalTerm<Dim>* proximal,
+                                 Points<Dim>& reduced) {
+    Points<Dim> Hv;
+    m_energy.applyHessian(v, Hv, m_workers);
+    if (proximal) {
+        Points<Dim> Av;
+        proximal->apply(v, Av);
+        Hv += 2 * proximal->weight * Av;
+    }
+    m_system.restrict(Hv, reduced);
+}
+
+/// Adds Z y to the step such that Zᵀ H step = −Zᵀ g, by conjugate gradients with the factor that there is.
+/// Returns false if they end too late or meet negative curvature.
+template <int Dim>
+bool RestMinimizer<Dim>::iterate(const ProximalTerm<Dim>* proximal, Points<Dim>& step) {
+    const Stopwatch watch(m_statistics.solve);
+    product(step, proximal, m_r);
+    m_r = -(m_r + m_reduced);
+    m_z.resizeLike(m_r);
+    double before = 0, rzBefore = 0, contraction = m_contraction;
+    for (int k = 0; k < kMostPredicting; ++k) {
+        ++m_statistics.iterations;
+        if (!m_factor.solve(flat<Dim>(m_r), flat<Dim>(m_z), m_workers)) return false;
+        m_system.release(m_z);
+        const double size = m_z.cwiseAbs().maxCoeff(), rz = m_r.cwiseProduct(m_z).sum();
+        if (size == 0) return true;
+        if (k > 0) contraction = size / before;
+        if (k == 1) m_contraction = contraction;
+        if (k == 0)
+            m_p = m_z;
+        else
+            m_p = m_z + rz / rzBefore * m_p;
+        m_lifted.setZero(Dim, step.cols());
+        m_system.expand(m_p, m_lifted);
+        product(m_lifted, proximal, m_product);
+        const double pHp = m_p.cwiseProduct(m_product).sum();
+        if (!(pHp > 0 && rz > 0)) return false;
+        step += rz / pHp * m_lifted;
+        const double allowed = std::max(kPredicted, kOfStep * step.cwiseAbs().maxCoeff());
+        if (contraction < 1 && size * contraction / (1 - contraction) <= allowed) {
+            m_policy.evaluated(k + 1);
+            return step.allFinite();
+        }
+        m_r -= rz / pHp * m_product;
+        before = size;
+        rzBefore = rz;
+    }
+    return false;
+}
+
+/// Takes the step with the factor of an earlier shape, if there is one and a new one does not pay.
+template <int Dim>
+bool RestMinimizer<Dim>::reuse(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+                               Points<Dim>& step) {
+    if (!m_isMade || m_policy.due()) return false;
+    {
+        const Stopwatch watch(m_statistics.assemble);
+        m_energy.linearize(shape, kNegative[m_level], m_workers);
+    }
+    return iterate(proximal, step);
+}
+
+/// Makes a factor of the very shape and solves with it; iterates first if one from before may serve.
+template <int Dim>
+SolveOutcome RestMinimizer<Dim>::predict(Pace pace, const Points<Dim>& shape, const Points<Dim>& prescribed,
                                          const ProximalTerm<Dim>* proximal, const std::stop_token& stop,
                                          Points<Dim>& step) {
     m_system.particular(prescribed, step);
     if (m_system.unknowns().empty()) return {};
-    m_untilExact = 0;
-    if (const SolveOutcome outcome = factorize(shape, proximal, stop); !outcome.done()) return outcome;
     slope(shape, proximal);
-    Points<Dim> Hv;
-    m_energy.applyHessian(step, Hv, m_workers);
-    if (proximal) {
-        Points<Dim> Av;
-        proximal->apply(step, Av);
-        Hv += 2 * proximal->weight * Av;
+    if (pace == Pace::Even) {
+        const Points<Dim> particular = step;
+        if (reuse(shape, proximal, step)) return {};
+        step = particular;
+        const SolveOutcome outcome = factorize(FactorKind::Single, shape, proximal, stop);
+        if (!outcome.done() || iterate(proximal, step)) return outcome;
+        step = particular;
     }
+    m_untilExact = 0;
+    const SolveOutcome outcome = factorize(FactorKind::Double, shape, proximal, stop);
+    return outcome.done() ? solve(proximal, step) : outcome;
+}
+
+/// Takes the step with a factor of the very shape.
+template <int Dim>
+SolveOutcome RestMinimizer<Dim>::solve(const ProximalTerm<Dim>* proximal, Points<Dim>& step) {
     Points<Dim> right, y;
-    m_system.restrict(Hv, right);
+    product(step, proximal, right);
     right = -(right + m_reduced);
     y.resize(Dim, right.cols());
     ++m_statistics.iterations;
@@ -206,16 +289,23 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         result.isConverged = true;
         return result;
     }
-    m_untilExact = 0;
     int nudges = 0;
-    bool small = false, serves = descent.reusesFactor && m_isMade && m_isExact;
+    const bool isLive = descent.reusesFactor;
+    bool small = false, serves = isLive && m_isMade;
+    if (!isLive) m_untilExact = 0;
     double last = std::numeric_limits<double>::infinity();  // displacement
     for (;; ++result.iterations) {
+        if (isLive && small) {
+            result.isConverged = true;
+            return result;
+        }
         const double force = slope(shape, proximal);
         result.isConverged = force <= kNoForce || (small && m_isExact);
         if (result.isConverged || result.iterations >= descent.mostIterations) return result;
         if (stop.stop_requested()) result.outcome = {SolveOutcome::Kind::Stopped, -1};
-        if (result.outcome.done() && !serves) result.outcome = factorize(shape, proximal, stop);
+        if (result.outcome.done() && !serves)
+            result.outcome =
+                factorize(isLive ? FactorKind::Single : FactorKind::Double, shape, proximal, stop);
         if (!result.outcome.done()) return result;
         Points<Dim> right = -m_reduced, y(Dim, right.cols()), step = Points<Dim>::Zero(Dim, shape.cols());
         ++m_statistics.iterations;
@@ -238,8 +328,8 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
         const double part = lineSearch(shape, step, -decrement, proximal, descent);
         small = part * most <= descent.tolerance;
-        serves =
-            descent.reusesFactor && m_isExact && part == 1 && most < kQuickly * std::exchange(last, most);
+        if (part == 0 && std::exchange(serves, false)) continue;
+        serves = isLive && part == 1 && most < kQuickly * std::exchange(last, most);
         if (part == 0) {
             if (m_isExact && most > descent.tolerance) {  // far from the minimum
                 m_untilExact = 1;

@@ -8,6 +8,7 @@
 #include "core/assembly/rest_energy.h"
 #include "core/factor/factor.h"
 #include "core/solver/reduced_system.h"
+#include "core/solver/refactor_policy.h"
 #include "core/solver/velocity_solver.h"
 
 namespace wend {
@@ -36,16 +37,23 @@ class RestMinimizer {
     /// Moves the shape, which satisfies the constraints and has no inverted cell, to a minimum.
     Descended minimize(Points<Dim>& shape, const Descent<Dim>& descent, const ProximalTerm<Dim>* proximal,
                        const std::stop_token& stop);
+    /// Says whether a step is exact, with a factor of its own, or computed for a live drag: an earlier
+    /// factor, in single precision, serves for conjugate gradients as long as that pays.
+    enum class Pace { Exact, Even };
     /// Computes the first Newton step from a shape in which the constrained points are displaced by
     /// `prescribed`, which has one column per row and may have one per slider behind them.
-    SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
+    SolveOutcome predict(Pace pace, const Points<Dim>& shape, const Points<Dim>& prescribed,
                          const ProximalTerm<Dim>* proximal, const std::stop_token& stop, Points<Dim>& step);
 
   private:
-    SolveOutcome factorize(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
+    SolveOutcome factorize(FactorKind kind, const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
                            const std::stop_token& stop);
-    SolveOutcome factorizeAs(double negative, const Points<Dim>& shape, const ProximalTerm<Dim>* proximal,
-                             const std::stop_token& stop);
+    bool reuse(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal, Points<Dim>& step);
+    bool iterate(const ProximalTerm<Dim>* proximal, Points<Dim>& step);
+    SolveOutcome solve(const ProximalTerm<Dim>* proximal, Points<Dim>& step);
+    void product(const Points<Dim>& v, const ProximalTerm<Dim>* proximal, Points<Dim>& reduced);
+    SolveOutcome factorizeAs(double negative, FactorKind kind, const Points<Dim>& shape,
+                             const ProximalTerm<Dim>* proximal, const std::stop_token& stop);
     double value(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal) const;
     double slope(const Points<Dim>& shape, const ProximalTerm<Dim>* proximal);
     bool nudge(Points<Dim>& shape);
@@ -65,6 +73,10 @@ class RestMinimizer {
     int m_untilExact = 0;     // steps before the exact one is tried again
     std::vector<double> m_blocks;
     Points<Dim> m_gradient, m_reduced;
+    RefactorPolicy m_policy;    // of predict()
+    double m_contraction = 0;   // of the error, by the first iteration: the last one measured
+    Points<Dim> m_r, m_z, m_p;  // of iterate(), per unknown, and the rest per vertex
+    Points<Dim> m_lifted, m_product;
 };
 
 extern template class RestMinimizer<2>;

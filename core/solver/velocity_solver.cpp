@@ -103,7 +103,8 @@ template <int Dim>
 SolveOutcome VelocitySolver<Dim>::predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
                                           Points<Dim>& step) {
     const auto* proximal = m_impl->proximal ? &*m_impl->proximal : nullptr;
-    return m_impl->minimizer().predict(shape, m_impl->withWelds(prescribed), proximal, m_impl->stop, step);
+    return m_impl->minimizer().predict(m_impl->pace, shape, m_impl->withWelds(prescribed), proximal,
+                                       m_impl->stop, step);
 }
 
 template <int Dim>
@@ -120,6 +121,7 @@ int VelocitySolver<Dim>::setProximal(double weight, const Points<Dim>& origin) {
 template <int Dim>
 void VelocitySolver<Dim>::setLongestPause(double seconds) {
     m_impl->cache->policy().setLongestPause(seconds);
+    m_impl->pace = RestMinimizer<Dim>::Pace::Even;
 }
 
 template <int Dim>

@@ -44,7 +44,8 @@ struct VelocitySolver<Dim>::Impl {
     std::unique_ptr<Tracking> tracking;            // these three for the constraints that are set
     std::optional<RestMinimizer<Dim>> descending;  // with the proximal term
     std::optional<ProximalTerm<Dim>> proximal;
-    std::vector<double> massRegularization;  // per cell, or empty
+    typename RestMinimizer<Dim>::Pace pace = RestMinimizer<Dim>::Pace::Exact;  // of predict()
+    std::vector<double> massRegularization;                                    // per cell, or empty
 
     SolverStatistics statistics;
 

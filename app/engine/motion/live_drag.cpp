@@ -25,8 +25,7 @@ constexpr int kSmall = 10000;            // vertices
 constexpr double kStiffestPreview = 16;  // w_r / w_q of which factors still last
 
 /// Small shapes use one thread: their fields cost about as much as painting, which needs the other cores, and
-/// synchronizing threads a hundred times per field is slower than one thread. Large shapes use all, and so do
-/// solids that spring back fully: they are factored for every frame.
+/// synchronizing threads a hundred times per field is slower than one thread. Large shapes use all.
 int previewThreads(int vertices) {
     return vertices > kSmall ? 0 : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / 2));
 }
@@ -51,8 +50,7 @@ DragFlow<Dim> flowOf(const Shape<Dim>& shape, const std::shared_ptr<const Simpli
                      const std::shared_ptr<const Material<Dim>>& material,
                      const std::vector<Handle<Dim>>& handles) {
     return DragFlow<Dim>(rest, previewMaterial<Dim>(material, shape), handles,
-                         backEndFactory<Dim>(BackEndKind::Automatic),
-                         Dim == 3 && std::isinf(material->memory) ? 0 : previewThreads(rest->vertexCount()));
+                         backEndFactory<Dim>(BackEndKind::Automatic), previewThreads(rest->vertexCount()));
 }
 
 }  // namespace

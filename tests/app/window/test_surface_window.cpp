@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "app/document/design.h"
+#include "app/document/domain.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
@@ -48,6 +50,7 @@ class TestSurfaceWindow : public QObject {
     void allAreFixedOnceThatIsKnown();
     void factsAreToldAndGapsAreOpened();
     void noteOfWorkIsWhole();
+    void noteTellsMeshesFromMotions();
     void detailedSurfaceIsShownAndTellsItsNotices();
     void whatACageCarriesIsPinned();
 
@@ -440,6 +443,27 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     QVERIFY(words->text().contains(QStringLiteral("1,000,000")));
     QCOMPARE(note->width(), words->minimumWidth() + around);
     m_f->session().cancelWork();
+    QVERIFY(settle(m_f->session()));
+}
+
+/// The mesh of before serves for another energy, not for another number of vertices.
+void TestSurfaceWindow::noteTellsMeshesFromMotions() {
+    QVERIFY(m_f->open());
+    QVERIFY(settle(m_f->session()));
+    auto* note = m_f->window().findChild<WorkNote*>();
+    Document& document = m_f->session().document();
+    Design<3> design = document.design<3>();
+    design.material.phi += 0.2;
+    note->show();
+    document.changeDesign(QStringLiteral("Energy"), design);
+    QVERIFY(m_f->session().isBusy());
+    QVERIFY2(note->text().startsWith(QStringLiteral("Computing the motion")), qPrintable(note->text()));
+    QVERIFY(settle(m_f->session()));
+    Domain fine = document.domain();
+    fine.vertices += 100;
+    note->show();
+    document.changeDomain(QStringLiteral("Fine"), fine);
+    QVERIFY2(note->text().startsWith(QStringLiteral("Meshing")), qPrintable(note->text()));
     QVERIFY(settle(m_f->session()));
 }
 
