@@ -2005,6 +2005,10 @@
         <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
         <translation>Dieses Bild hat Teile: Wählen Sie in der Liste den, für den dieser Umriss ist, oder „Teil machen“, um noch einen auszuschneiden.</translation>
     </message>
+    <message>
+        <source>“%1” is locked. The list of parts unlocks it.</source>
+        <translation>„%1“ ist gesperrt. Die Liste der Teile entsperrt ihn.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2129,6 +2133,10 @@
     <message>
         <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
         <translation>„%1“ ist nun ein Teil, aus „%2“ ausgeschnitten. Was dahinter liegt, wird gefüllt. Heften Sie es an, oder verbinden Sie es unter Teile.</translation>
+    </message>
+    <message>
+        <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
+        <translation>In diesem Bereich ist höchstens Gesperrtes. Die Liste der Teile entsperrt es.</translation>
     </message>
 </context>
 <context>
@@ -4126,6 +4134,18 @@
         <source>&amp;Height</source>
         <translation>&amp;Höhe</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>Of the size at which the drawing is opened</source>
+        <translation>Der Größe, in der die Zeichnung geöffnet wird</translation>
+    </message>
 </context>
 <context>
     <name>wend::EaseEditor</name>
@@ -5755,6 +5775,14 @@
     <message>
         <source>Open flattened</source>
         <translation>Reduziert öffnen</translation>
+    </message>
+    <message>
+        <source>Another Size…</source>
+        <translation>Andere Größe …</translation>
+    </message>
+    <message>
+        <source>This drawing became a picture of %1 × %2 pixels.</source>
+        <translation>Diese Zeichnung wurde ein Bild von %1 × %2 Pixeln.</translation>
     </message>
 </context>
 <context>

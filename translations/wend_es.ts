@@ -2005,6 +2005,10 @@
         <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
         <translation>Esta imagen tiene partes: elija en la lista aquella para la que es este contorno, o Crear una parte para recortar otra.</translation>
     </message>
+    <message>
+        <source>“%1” is locked. The list of parts unlocks it.</source>
+        <translation>«%1» está bloqueada. La lista de partes la desbloquea.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2129,6 +2133,10 @@
     <message>
         <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
         <translation>«%1» es ahora una parte, recortada de «%2». Lo que hay detrás se está rellenando. Fíjala o únela en Partes.</translation>
+    </message>
+    <message>
+        <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
+        <translation>En esta zona no hay más que lo bloqueado, si hay algo. La lista de partes lo desbloquea.</translation>
     </message>
 </context>
 <context>
@@ -4126,6 +4134,18 @@
         <source>&amp;Height</source>
         <translation>Alt&amp;ura</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>E&amp;scala</translation>
+    </message>
+    <message>
+        <source>Of the size at which the drawing is opened</source>
+        <translation>Del tamaño con el que se abre el dibujo</translation>
+    </message>
 </context>
 <context>
     <name>wend::EaseEditor</name>
@@ -5755,6 +5775,14 @@
     <message>
         <source>Open flattened</source>
         <translation>Abrir acoplada</translation>
+    </message>
+    <message>
+        <source>Another Size…</source>
+        <translation>Otro tamaño…</translation>
+    </message>
+    <message>
+        <source>This drawing became a picture of %1 × %2 pixels.</source>
+        <translation>Este dibujo se ha convertido en una imagen de %1 × %2 píxeles.</translation>
     </message>
 </context>
 <context>

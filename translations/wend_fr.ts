@@ -2005,6 +2005,10 @@
         <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
         <translation>Cette image a des parties&#x202f;: choisissez dans la liste celle à laquelle ce contour est destiné, ou Créer une partie pour en découper une autre.</translation>
     </message>
+    <message>
+        <source>“%1” is locked. The list of parts unlocks it.</source>
+        <translation>« %1 » est verrouillée. La liste des parties la déverrouille.</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2129,6 +2133,10 @@
     <message>
         <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
         <translation>« %1 » est maintenant une partie, découpée dans « %2 ». Ce qui est derrière est en cours de remplissage. Épinglez-la ou joignez-la sous Parties.</translation>
+    </message>
+    <message>
+        <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
+        <translation>Il n’y a dans cette zone rien d’autre que ce qui est verrouillé. La liste des parties le déverrouille.</translation>
     </message>
 </context>
 <context>
@@ -4126,6 +4134,18 @@
         <source>&amp;Height</source>
         <translation>&amp;Hauteur</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>É&amp;chelle</translation>
+    </message>
+    <message>
+        <source>Of the size at which the drawing is opened</source>
+        <translation>De la taille à laquelle le dessin est ouvert</translation>
+    </message>
 </context>
 <context>
     <name>wend::EaseEditor</name>
@@ -5755,6 +5775,14 @@
     <message>
         <source>Open flattened</source>
         <translation>Ouvrir aplatie</translation>
+    </message>
+    <message>
+        <source>Another Size…</source>
+        <translation>Autre taille…</translation>
+    </message>
+    <message>
+        <source>This drawing became a picture of %1 × %2 pixels.</source>
+        <translation>Ce dessin est devenu une image de %1 × %2 pixels.</translation>
     </message>
 </context>
 <context>

@@ -2004,6 +2004,10 @@
         <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
         <translation>この画像にはパーツがあります。リストでこの輪郭の対象を選ぶか、「パーツにする」でさらに切り抜いてください。</translation>
     </message>
+    <message>
+        <source>“%1” is locked. The list of parts unlocks it.</source>
+        <translation>「%1」はロックされています。パーツのリストで解除できます。</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2128,6 +2132,10 @@
     <message>
         <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
         <translation>「%1」は「%2」から切り出されたパーツになりました。背後を補完しています。ピンで留めるか、「パーツ」で結合してください。</translation>
+    </message>
+    <message>
+        <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
+        <translation>この範囲にはロックされたものしかありません。パーツのリストで解除できます。</translation>
     </message>
 </context>
 <context>
@@ -4123,6 +4131,18 @@
         <source>&amp;Height</source>
         <translation>高さ(&amp;H)</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>倍率(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Of the size at which the drawing is opened</source>
+        <translation>図を開いたときの大きさに対する割合</translation>
+    </message>
 </context>
 <context>
     <name>wend::EaseEditor</name>
@@ -5743,6 +5763,14 @@
     <message>
         <source>Open flattened</source>
         <translation>統合して開く</translation>
+    </message>
+    <message>
+        <source>Another Size…</source>
+        <translation>別の大きさ…</translation>
+    </message>
+    <message>
+        <source>This drawing became a picture of %1 × %2 pixels.</source>
+        <translation>この図は %1 × %2 ピクセルの画像になりました。</translation>
     </message>
 </context>
 <context>

@@ -2004,6 +2004,10 @@
         <source>This picture has parts: choose the one in the list that this outline is for, or Make a Part to cut another one out.</source>
         <translation>此图片有部件：请在列表中选择此轮廓所属的部件，或选择“制作部件”再剪出一个。</translation>
     </message>
+    <message>
+        <source>“%1” is locked. The list of parts unlocks it.</source>
+        <translation>“%1”已锁定。可在部件列表中解锁。</translation>
+    </message>
 </context>
 <context>
     <name>PaintTool</name>
@@ -2128,6 +2132,10 @@
     <message>
         <source>“%1” is a part now, cut from “%2”. What is behind it is being filled. Pin it, or join it under Parts.</source>
         <translation>“%1”现在是一个部件，裁自“%2”。正在填充其后方。请固定它，或在“部件”中连接。</translation>
+    </message>
+    <message>
+        <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
+        <translation>此区域内最多只有已锁定的内容。可在部件列表中解锁。</translation>
     </message>
 </context>
 <context>
@@ -4123,6 +4131,18 @@
         <source>&amp;Height</source>
         <translation>高度(&amp;H)</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>比例(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Of the size at which the drawing is opened</source>
+        <translation>相对于打开绘图时的大小</translation>
+    </message>
 </context>
 <context>
     <name>wend::EaseEditor</name>
@@ -5743,6 +5763,14 @@
     <message>
         <source>Open flattened</source>
         <translation>合并打开</translation>
+    </message>
+    <message>
+        <source>Another Size…</source>
+        <translation>其他大小…</translation>
+    </message>
+    <message>
+        <source>This drawing became a picture of %1 × %2 pixels.</source>
+        <translation>此绘图已成为 %1 × %2 像素的图像。</translation>
     </message>
 </context>
 <context>

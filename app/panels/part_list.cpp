@@ -107,18 +107,22 @@ void PartList::makeControls() {
     connect(rows, &PartRow::lockClicked, this, [this](int row) {
         if (row < static_cast<int>(parts().size())) lock(row, !parts()[static_cast<std::size_t>(row)].locked);
     });
-    const auto chip = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
+    // With words they would be wider than the column.
+    const auto chip = [this](QToolButton* button, const char* id, const char* icon, const QString& text,
+                             const QString& help) {
         button->setObjectName(QString::fromLatin1(id));
         button->setText(text);
+        button->setIcon(wendIcon(QString::fromLatin1(icon), palette()));
         button->setProperty("role", "chip");
         describe(button, text, help);
     };
-    chip(m_forward, "partForward", tr("Forward"), tr("Brings the part in front of the next one (Alt+Up)."));
-    chip(m_backward, "partBackward", tr("Backward"), tr("Brings the part behind the next one (Alt+Down)."));
-    chip(m_lock, "partLock", tr("Lock"),
+    chip(m_forward, "partForward", "move-up", tr("Forward"),
+         tr("Brings the part in front of the next one (Alt+Up)."));
+    chip(m_backward, "partBackward", "move-down", tr("Backward"),
+         tr("Brings the part behind the next one (Alt+Down)."));
+    chip(m_lock, "partLock", "lock", tr("Lock"),
          tr("The part is seen, but clicks go through it, and it is neither painted nor are its pins moved."));
     m_lock->setCheckable(true);
-    m_lock->setIcon(wendIcon(QStringLiteral("lock"), palette()));
     m_opacity->setObjectName(QStringLiteral("partOpacity"));
     m_opacity->setRange(0, kFullOpacity);
     m_opacity->setDecimals(0);
@@ -236,11 +240,21 @@ std::shared_ptr<const Texture> PartList::texture() const {
 void PartList::showPictures() {
     m_texture = texture();
     const QSignalBlocker quiet(m_list);
+    std::vector<Icon> icons;
+    const qint64 colours = palette().cacheKey();
     for (int i = 0; i < std::min(m_list->count(), static_cast<int>(parts().size())); ++i) {
         const PicturePart& part = parts()[static_cast<std::size_t>(i)];
         const Sheet* sheet = sheetOf(part, m_texture.get());
-        m_list->item(i)->setIcon(partIcon(part, sheet ? sheet->picture.get() : nullptr, palette()));
+        const auto picture = sheet ? sheet->picture : nullptr;
+        const bool isJoined = !part.joints.empty();
+        const auto known = std::ranges::find_if(m_icons, [&](const Icon& one) {
+            return one.picture == picture && one.isJoined == isJoined && one.palette == colours;
+        });
+        icons.push_back({picture, isJoined, colours,
+                         known != m_icons.end() ? known->icon : partIcon(part, picture.get(), palette())});
+        m_list->item(i)->setIcon(icons.back().icon);
     }
+    m_icons = std::move(icons);
 }
 
 void PartList::showChosen() {

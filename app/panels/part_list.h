@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QIcon>
 #include <QWidget>
 #include <memory>
+#include <vector>
 
 #include "app/project/part.h"
 
@@ -15,6 +17,7 @@ namespace wend {
 class NumberBox;
 class PartOrderRow;
 class ShapeSession;
+struct Image;
 struct Texture;
 
 /// Lists the parts of a picture, the frontmost first: an eye, a lock, a small picture, a name that a double
@@ -64,6 +67,14 @@ class PartList : public QWidget {
     PartOrderRow* m_order;
     QWidget *m_rows = nullptr, *m_featherRow = nullptr;
     std::shared_ptr<const Texture> m_texture;  // that the pictures are of
+    /// Those of the pictures that are shown: making one takes milliseconds.
+    struct Icon {
+        std::shared_ptr<const Image> picture;
+        bool isJoined;
+        qint64 palette;
+        QIcon icon;
+    };
+    std::vector<Icon> m_icons;
 };
 
 }  // namespace wend

@@ -31,7 +31,8 @@ struct NamedSheet {
     Sheet sheet;
 };
 
-/// The sheets that an area may be cut from, from front to back; none while a picture of parts is being built.
+/// The sheets that an area may be cut from, from front to back, without those that are locked or hidden; none
+/// while a picture of parts is being built.
 std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string& wholeName) {
     const Document& document = session.document();
     if (document.domain().parts.empty()) return {{wholeName, Sheet{document.picture()}}};
@@ -40,7 +41,8 @@ std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string&
     const Texture& texture = *frame->built->texture;
     std::vector<NamedSheet> sheets;
     for (std::size_t i = texture.sheets.size(); i-- > 0;)
-        if (!texture.sheets[i].hidden) sheets.push_back({texture.drawn->parts[i].name, texture.sheets[i]});
+        if (!isProtected(document.domain().parts, texture.drawn->parts[i].name))
+            sheets.push_back({texture.drawn->parts[i].name, texture.sheets[i]});
     return sheets;
 }
 
@@ -75,7 +77,11 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     const NamedSheet* below = sheetBelow(area, sheets);
     if (!below)
         return session.notify(
-            words(QT_TRANSLATE_NOOP("PartMaking", "There is nothing of the picture in this area.")));
+            std::ranges::any_of(domainOf(before).parts, &PicturePart::locked)
+                ? words(QT_TRANSLATE_NOOP("PartMaking",
+                                          "In this area is nothing but what is locked, if "
+                                          "anything. The list of parts unlocks it."))
+                : words(QT_TRANSLATE_NOOP("PartMaking", "There is nothing of the picture in this area.")));
     const auto seam = seamOf(area, below->sheet);
     NewPart made;
     made.from = below->name;

@@ -245,7 +245,8 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
     connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
     connectChoices();
-    new Offers(m_session.document(), *m_banner, this);
+    auto* offers = new Offers(m_session.document(), *m_banner, this);
+    connect(offers, &Offers::sizeWanted, a.drawingSize, &QAction::trigger);
     new RidingOffer(m_session, *m_banner, this);
     new SpringOffer(m_session, *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);

@@ -23,8 +23,10 @@
 #include "core/base/error.h"
 #include "core/base/input_file.h"
 #include "tests/fuzz/picture_samples.h"
+#include "warp/drawn_picture.h"
 #include "warp/image.h"
 #include "warp/picture_metadata.h"
+#include "warp/picture_process.h"
 
 namespace fs = std::filesystem;
 
@@ -113,6 +115,7 @@ std::string read(const fs::path& path) {
         if (const auto* metadata = wend::fileMetadata(image))
             for (const wend::PictureLayer& layer : metadata->layers)
                 wend::readLayer(path.string(), layer.name);
+        if (wend::isDrawing(path.string())) wend::readVectors(path.string(), {}, {160, 120});
     } catch (const wend::InputError& error) {
         return error.what();
     } catch (const wend::OutOfMemory& error) {

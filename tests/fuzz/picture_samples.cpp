@@ -130,6 +130,23 @@ std::string tiff(unsigned bits, unsigned photometric) {
     return bytes + little(0, 4) + colours + pixels;
 }
 
+/// Shapes of every kind in groups, with gradients, a clip path, a mask, a reference and text.
+std::string drawing() {
+    return R"svg(<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="40mm" height="30mm" viewBox="0 0 80 60">
+<style>.thin { stroke: #123; stroke-width: .5px }</style>
+<defs><linearGradient id="g" x1="0" x2="1" gradientTransform="rotate(20)"><stop offset="0" stop-color="red"/>
+<stop offset="100%" stop-color="#00f8" stop-opacity=".5"/></linearGradient>
+<radialGradient id="r" cx="40" cy="30" r="20" fx="35" gradientUnits="userSpaceOnUse" xlink:href="#g"/>
+<clipPath id="c"><circle cx="20" cy="20" r="15"/></clipPath>
+<mask id="m"><rect width="80" height="60" fill="white" opacity=".4"/></mask></defs>
+<g id="body" opacity=".8" clip-path="url(#c)"><path fill="url(#g)" d="M10 10h20v-5l3,3 C40 20 50-1e1 60,40 S 70 50 20 50 Q1 2 3 4 T 9 9 A 8 5 30 1 0 12 30 z m5 5 l2-2"/></g>
+<g id="arm" transform="translate(3 4) scale(1.5) matrix(1 .1 0 1 0 0)" mask="url(#m)"><rect x="5" y="5" width="9" height="7" rx="2" style="fill:url(#r);stroke:black"/>
+<ellipse cx="30" cy="20" rx="9" ry="4" class="thin"/><polyline points="1,1 5 9 7,3" fill="none" stroke-dasharray="3 1" stroke-linejoin="round"/></g>
+<use xlink:href="#arm" x="4"/><text x="10" y="50" font-size="8">words</text><line x2="9" y2="9" stroke="hsl(120, 50%, 50%)"/></svg>
+)svg";
+}
+
 /// What a camera and an archive write beside the pixels: EXIF with its parts, IPTC, XMP and an ICC profile.
 void describe(OIIO::ImageSpec& spec) {
     spec.attribute("Make", "a camera");
@@ -209,6 +226,7 @@ std::vector<Sample> makeSamples(const fs::path& folder) {
     samples.push_back({"bits.tif", tiff(1, 0)});
     samples.push_back({"grey.pfm", "Pf\n4 2\n-1.0\n" + std::string(32, '?')});
     samples.push_back({"bits.pbm", "P1\n4 2\n0 1 0 1\n1 0 1 0\n"});
+    samples.push_back({"drawing.svg", drawing()});
     const fs::path pictures = WEND_SOURCE_DIR "/tests/data/pictures";
     for (const char* name : {"layers.ora", "layers.psd", "layers16.psd", "layers.psb", "layers.tif"})
         samples.push_back({name, contents(pictures / name)});

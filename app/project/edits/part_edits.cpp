@@ -67,8 +67,14 @@ std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart
         Handle<2>& ground = designOf<2>(*next).handles.emplace_back();
         ground.name = ground.part = made.from;
         ground.at = Region<2>(*made.heldGround);
+        ground.traits.locked = true;  // a drag beside the new part would take it along
     }
     return next;
+}
+
+bool isProtected(const std::vector<PicturePart>& parts, const std::string& name) {
+    const auto part = std::ranges::find(parts, name, &PicturePart::name);
+    return part != parts.end() && (part->locked || part->hidden);
 }
 
 int partCount(const Project& project) {

@@ -32,6 +32,9 @@ std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart
 
 int partCount(const Project& project);
 
+/// Returns whether the part of that name may not be edited by tools: it is locked, or hidden.
+bool isProtected(const std::vector<PicturePart>& parts, const std::string& name);
+
 /// Returns the project with the outline of a part, and the vertices that are set for it, in the place of
 /// those of the whole picture: the settings of its domain are the part's.
 std::shared_ptr<Project> asWhole(const Project& project, int part);

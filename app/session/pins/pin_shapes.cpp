@@ -104,15 +104,20 @@ void setHoldsAngle(ShapeSession& session, int handle, bool holds) {
         widenPin<2>(session, handle, 0);
         return;
     }
+    session.document().beginStep();
+    widenTurned(session, handle);
+    session.document().endStep();
+}
+
+bool widenTurned(ShapeSession& session, int handle) {
     const double angle = angleAt(session, handle);
     Grip grip;
     grip.kind = Grip::Kind::Turn;
     for (const PinView<2>& pin : session.pins<2>(true))
         if (pin.handle == handle) grip.centre.head<2>() = pin.centre;
-    session.document().beginStep();
-    if (widenPoint<2>(session, handle) && std::abs(angle) > kNoTurn)
-        session.moveSelected<2>(grip, {angle, 0, 0});
-    session.document().endStep();
+    if (!widenPoint<2>(session, handle)) return false;
+    if (std::abs(angle) > kNoTurn) session.moveSelected<2>(grip, {angle, 0, 0});
+    return true;
 }
 
 template <int Dim>

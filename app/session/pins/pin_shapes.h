@@ -31,5 +31,8 @@ double angleAt(const ShapeSession& session, int handle);
 /// Makes the selected point of a picture hold the angle that the shape has there now, or lets it turn with
 /// the shape again; one undo step.
 void setHoldsAngle(ShapeSession& session, int handle, bool holds);
+/// Widens a selected pin that is a point of a picture, as widenPoint() does, and rotates its disc to the
+/// angle that the shape has there.
+bool widenTurned(ShapeSession& session, int handle);
 
 }  // namespace wend

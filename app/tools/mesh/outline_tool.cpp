@@ -61,6 +61,12 @@ int OutlineTool::part() const {
     return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
 }
 
+bool OutlineTool::isLocked(const std::string& name) const {
+    const std::vector<PicturePart>& parts = session().document().domain().parts;
+    const auto found = std::ranges::find(parts, name, &PicturePart::name);
+    return found != parts.end() && found->locked;
+}
+
 /// Returns the picture whose outline is drawn; none while that of a part is not known.
 Sheet OutlineTool::sheet() const {
     const Document& document = session().document();
@@ -134,6 +140,12 @@ bool OutlineTool::isReady() {
             "OutlineTool",
             "This picture has parts: choose the one in the list that this outline is for, or Make a Part to "
             "cut another one out."));
+        return false;
+    }
+    if (!makesPart() && isLocked(m_pen.now().part)) {
+        session().notify(
+            QCoreApplication::translate("OutlineTool", "“%1” is locked. The list of parts unlocks it.")
+                .arg(QString::fromStdString(m_pen.now().part)));
         return false;
     }
     Playback& playback = session().playback();

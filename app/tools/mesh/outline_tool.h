@@ -54,6 +54,7 @@ class OutlineTool : public ShapeTool<2> {
     Outline slit(double tolerance) const;
     Outline inPicture(const QPainterPath& area) const;
     int part() const;
+    bool isLocked(const std::string& name) const;
     Sheet sheet() const;
     std::shared_ptr<const Project> wholeOf(const Project& project) const;
     const Outline& outlineOf(const Domain& domain) const;

@@ -42,7 +42,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const std::string folder = document.folder().toStdString();
     const Region<Dim> shape =
         modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
-    const std::string part = modifiers & Qt::ShiftModifier ? std::string() : partNameOf<Dim>(rest, cell);
+    const std::string part = partNameOf<Dim>(rest, cell);
     const Design<Dim>& design = document.template design<Dim>();
     if (modifiers & Qt::ControlModifier) {
         const Eraser<Dim> eraser{.shape = shape, .part = part};

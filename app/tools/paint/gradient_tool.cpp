@@ -1,14 +1,18 @@
 #include "app/tools/paint/gradient_tool.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <array>
 
-#include "app/engine/shape/material_raster.h"
-#include "app/project/design.h"
-#include "app/project/edits/free_name.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/edits/free_name.h"
+#include "app/document/edits/part_edits.h"
 #include "app/session/brush.h"
-#include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/session/colours.h"
+#include "app/session/mark_size.h"
+#include "app/session/shape/material_raster.h"
+#include "app/session/shape/mesh_parts.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"
 #include "core/base/error.h"
@@ -20,12 +24,22 @@ namespace {
 constexpr double kShortest = 4;     // pixels: less is a click
 constexpr double kHandleReach = 9;  // of a handle
 
-/// Maps a place at rest to the pose; outside the shape by the offset from the nearest vertex.
+/// Maps a place of a part of the mesh, or of all if none is named, from one of its forms to another one, such
+/// as from rest to a pose; outside the part by the offset from its nearest vertex.
 template <int Dim>
-Vec<Dim> posedAt(const PosedFrame<Dim>& frame, const PointLocator<Dim>& locator, const Vec<Dim>& rest) {
-    if (const auto place = locator.find(rest)) return positionOf<Dim>(*place, *frame.rest, frame.pose);
-    const int nearest = locator.nearestVertex(rest);
-    return nearest < 0 ? rest : Vec<Dim>(frame.pose.col(nearest) + rest - frame.rest->points.col(nearest));
+Vec<Dim> carriedTo(const Points<Dim>& to, const Points<Dim>& from, const SimplicialMesh<Dim>& mesh,
+                   const std::string& part, const Vec<Dim>& place) {
+    const auto own = std::ranges::find(mesh.parts, part, &MeshPart::name);
+    const int first = own == mesh.parts.end() ? 0 : own->firstCell,
+              end = own == mesh.parts.end() ? mesh.cellCount() : own->endCell;
+    const std::vector<Cell<Dim>> cells(mesh.cells.begin() + first, mesh.cells.begin() + end);
+    const PointLocator<Dim> locator(from, cells);
+    if (auto found = locator.find(place)) {
+        found->cell += first;
+        return positionOf<Dim>(*found, mesh, to);
+    }
+    const int nearest = locator.nearestVertex(place);
+    return nearest < 0 ? place : Vec<Dim>(to.col(nearest) + place - from.col(nearest));
 }
 
 void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radius) {
@@ -43,16 +57,33 @@ QString GradientTool<Dim>::hint() const {
                                        "chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels");
 }
 
-/// Outside a picture's shape the end follows the nearest vertex; outside a solid there is none.
+/// Returns the part of a picture that a gradient is drawn or moved on; empty: the picture is one.
+template <int Dim>
+const std::string& GradientTool<Dim>::part() const {
+    if (!m_handle) return m_part;
+    return session().document().template design<Dim>().material.regions[m_handle->region].part;
+}
+
+/// Finds the part that a new gradient begins on. Returns false if it must begin on one and does not.
+template <int Dim>
+bool GradientTool<Dim>::findPart(const QPointF& at) {
+    m_part.clear();
+    if (m_handle || m_frame->rest->parts.empty()) return true;
+    const auto touch = surface().touch(at);
+    if (touch) m_part = partNameOf<Dim>(*m_frame->rest, touch->place.cell);
+    return touch.has_value();
+}
+
+/// In a picture places are those of the part, whatever is in front of it, and beside it those of its nearest
+/// vertex; outside a solid there is none.
 template <int Dim>
 std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
     const auto touch = surface().touch(at);
     if constexpr (Dim == 2)
-        if (!touch) {
+        if (!touch || partNameOf<2>(*m_frame->rest, touch->place.cell) != part()) {
             const Vec<2> seen = surface().toShape(at);
-            Eigen::Index nearest = 0;
-            (m_frame->pose.colwise() - seen).colwise().squaredNorm().minCoeff(&nearest);
-            return End{m_frame->rest->points.col(nearest) + seen - m_frame->pose.col(nearest), seen};
+            return End{carriedTo<2>(m_frame->rest->points, m_frame->pose, *m_frame->rest, part(), seen),
+                       seen};
         }
     if (!touch) return {};
     return End{positionOf<Dim>(touch->place, *m_frame->rest, m_frame->rest->points), touch->point};
@@ -64,13 +95,13 @@ std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() con
     const auto frame = session().template frame<Dim>();
     if (!frame || session().document().dimension() != Dim) return found;
     const auto& regions = session().document().template design<Dim>().material.regions;
-    std::optional<PointLocator<Dim>> locator;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         const auto* blend = std::get_if<Blend<Dim>>(&regions[i].shape);
-        if (!blend) continue;
-        if (!locator) locator.emplace(frame->rest->points, frame->rest->cells);
-        found.push_back({i, false, posedAt<Dim>(*frame, *locator, blend->from)});
-        found.push_back({i, true, posedAt<Dim>(*frame, *locator, blend->to)});
+        if (!blend || isProtected(session().document().domain().parts, regions[i].part)) continue;
+        for (const bool isTo : {false, true})
+            found.push_back({i, isTo,
+                             carriedTo<Dim>(frame->pose, frame->rest->points, *frame->rest, regions[i].part,
+                                            isTo ? blend->to : blend->from)});
     }
     return found;
 }
@@ -109,6 +140,10 @@ void GradientTool<Dim>::press(const QMouseEvent& event) {
     }
     m_project = session().document().project();
     m_handle = handleAt(event.position());
+    if (!findPart(event.position())) {
+        m_frame.reset();
+        return;
+    }
     m_from = m_to = endAt(event.position());
     const QString kind =
         QCoreApplication::translate("GradientTool", "To %1").arg(brushKind(m_brush.now(), Dim));
@@ -151,7 +186,9 @@ std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
     const QPointF from = surface().toWidget(m_from->seen), to = surface().toWidget(m_to->seen);
     if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
     const MaterialPaint<Dim> paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
-    return MaterialRegion<Dim>{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
+    MaterialRegion<Dim> region{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
+    region.part = m_part;
+    return region;
 }
 
 /// Returns the design with the moved end or the new gradient; nothing for a click.

@@ -40,6 +40,8 @@ class GradientTool : public ShapeTool<Dim> {
     };
     std::vector<Handle> handles() const;
     std::optional<Handle> handleAt(const QPointF& at) const;
+    const std::string& part() const;
+    bool findPart(const QPointF& at);
     std::optional<Design<Dim>> moved() const;
     bool isCurrent() const;
     std::optional<End> endAt(const QPointF& at) const;
@@ -54,7 +56,7 @@ class GradientTool : public ShapeTool<Dim> {
     PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;
-    std::string m_layer;             // of a new gradient
+    std::string m_layer, m_part;     // of a new gradient: its name, and the part of the picture
     std::optional<Handle> m_handle;  // that is dragged, in place of a new gradient
 };
 

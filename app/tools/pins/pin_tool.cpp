@@ -192,17 +192,17 @@ bool PinTool<Dim>::setPin() {
     return m_sets;
 }
 
-/// Widens a single point before it rotates or scales: its disc begins at the angle that the shape has there.
+/// Widens a single point before it rotates or scales: its disc gets the angle that the shape has there before
+/// it is rotated on.
 template <int Dim>
 bool PinTool<Dim>::canUse(const Part& part) {
-    m_lead = 0;
     const int handle = session().singleHandle();
     if (part.kind == Grip::Kind::Move || m_gizmo.canTurn() || !holdsPoint<Dim>(session(), handle))
         return true;
-    if (Dim == 2 && part.kind == Grip::Kind::Turn) m_lead = angleAt(session(), handle);
     const Vec<Dim> point = m_gizmo.centre();
     session().document().beginStep();
-    m_sets = widenPoint<Dim>(session(), handle);
+    m_sets = Dim == 2 && part.kind == Grip::Kind::Turn ? widenTurned(session(), handle)
+                                                       : widenPoint<Dim>(session(), handle);
     if (!m_sets) session().document().endStep();
     m_gizmo.place(point, m_sets);  // not at the mean of the disc's vertices
     return m_sets;
@@ -223,7 +223,6 @@ template <int Dim>
 void PinTool<Dim>::drag(bool snaps) {
     const bool isFree = m_gizmo.part().kind == Grip::Kind::Move && m_gizmo.part().axis < 0;
     m_amount = m_gizmo.drag(surface(), reached(snaps && isFree), snaps);
-    if (m_gizmo.part().kind == Grip::Kind::Turn) m_amount[0] += m_lead;
     if (!m_typed.isEmpty()) m_amount = m_gizmo.typed(m_typed.value(), surface());
     session().dragBy(m_amount, m_seconds);
 }
@@ -245,7 +244,6 @@ template <int Dim>
 void PinTool<Dim>::finishDrag() {
     m_gesture = Gesture::None;
     m_part.reset();
-    m_lead = 0;
     const double pixel = surface().pixelSize(m_gizmo.centre());
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
         session().endDragStraight();

@@ -103,7 +103,6 @@ class PinTool : public ShapeTool<Dim> {
     std::optional<Part> m_part;  // pressed, or under the pointer
     bool m_leaves = false;       // deselects on a click without a drag
     bool m_sets = false;         // the drag's step began with a new pin, or a point that became wide
-    double m_lead = 0;           // radians that the shape had been rotated at a point that is rotated
     Amount m_amount = Amount::Zero();
     TypedNumber m_typed;
     QObject m_listener;  // to the choice

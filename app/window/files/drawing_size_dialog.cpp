@@ -22,18 +22,24 @@ QSpinBox* sideBox(int now, int other, QWidget* parent) {
     return box;
 }
 
-/// Lets another side follow one.
-void tie(QSpinBox* side, QSpinBox* other, double proportion) {
-    QObject::connect(side, &QSpinBox::valueChanged, other, [other, proportion](int value) {
-        const QSignalBlocker blocker(other);
-        other->setValue(static_cast<int>(std::lround(value * proportion)));
-    });
+QDoubleSpinBox* percentBox(const DrawnSize& now, const DrawnSize& first, QWidget* parent) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setDecimals(1);
+    box->setRange(0.1, 100 * std::sqrt(1e6 * kMaxMegapixels / first[0] / first[1]));
+    box->setValue(100.0 * now[0] / first[0]);
+    box->setSuffix(DrawingSizeDialog::tr(" %"));
+    box->setSingleStep(50);
+    return box;
 }
 
 }  // namespace
 
-DrawingSizeDialog::DrawingSizeDialog(const DrawnSize& now, QWidget* parent)
-    : QDialog(parent), m_width(sideBox(now[0], now[1], this)), m_height(sideBox(now[1], now[0], this)) {
+DrawingSizeDialog::DrawingSizeDialog(const DrawnSize& now, const DrawnSize& first, QWidget* parent)
+    : QDialog(parent),
+      m_first(first),
+      m_width(sideBox(now[0], now[1], this)),
+      m_height(sideBox(now[1], now[0], this)),
+      m_percent(percentBox(now, first, this)) {
     setWindowTitle(tr("Drawing Size"));
     auto* help =
         new QLabel(tr("The drawing becomes a picture of this size. Pins, paths and regions are scaled with "
@@ -44,6 +50,8 @@ DrawingSizeDialog::DrawingSizeDialog(const DrawnSize& now, QWidget* parent)
     form->addRow(help);
     form->addRow(tr("&Width"), m_width);
     form->addRow(tr("&Height"), m_height);
+    form->addRow(tr("&Scale"), m_percent);
+    m_percent->setToolTip(tr("Of the size at which the drawing is opened"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -51,7 +59,23 @@ DrawingSizeDialog::DrawingSizeDialog(const DrawnSize& now, QWidget* parent)
     const double proportion = static_cast<double>(now[1]) / now[0];
     tie(m_width, m_height, proportion);
     tie(m_height, m_width, 1 / proportion);
+    connect(m_percent, &QDoubleSpinBox::valueChanged, this, &DrawingSizeDialog::takePercent);
     m_width->selectAll();
+}
+
+/// Lets the other side follow one, and the percent.
+void DrawingSizeDialog::tie(QSpinBox* side, QSpinBox* other, double proportion) {
+    connect(side, &QSpinBox::valueChanged, this, [=, this](int value) {
+        const QSignalBlocker blocker(other), also(m_percent);
+        other->setValue(static_cast<int>(std::lround(value * proportion)));
+        m_percent->setValue(100.0 * m_width->value() / m_first[0]);
+    });
+}
+
+void DrawingSizeDialog::takePercent(double percent) {
+    const QSignalBlocker blocker(m_width), also(m_height);
+    m_width->setValue(static_cast<int>(std::lround(percent / 100 * m_first[0])));
+    m_height->setValue(static_cast<int>(std::lround(percent / 100 * m_first[1])));
 }
 
 DrawnSize DrawingSizeDialog::size() const {

@@ -130,7 +130,9 @@ void PictureKeeper::askSize() {
         if (drawingIn(m_document.domain(), folder).empty())
             return tell(tr("This picture is no SVG drawing: its pixels are what it has."));
         const DrawnSize now = drawnSize(m_document.domain(), folder);
-        DrawingSizeDialog dialog(now, &m_window);
+        Domain first = m_document.domain();
+        first.size = {};
+        DrawingSizeDialog dialog(now, drawnSize(first, folder), &m_window);
         if (dialog.exec() == QDialog::Accepted && dialog.size() != now) redraw(dialog.size());
     } catch (const std::exception& error) {
         tell(tr("The picture cannot be read. %1").arg(wend::said(error)));

@@ -33,6 +33,7 @@ class InfoBanner : public QWidget {
         SoftEdges,
         LineArt,
         Parts,
+        Drawing,
         Riding,
         Spring
     };

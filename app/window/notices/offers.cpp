@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-#include "app/base/in_background.h"
-#include "app/project/design.h"
-#include "app/project/domain.h"
-#include "app/project/edits/document.h"
-#include "app/project/edits/handle_edits.h"
-#include "app/project/edits/part_edits.h"
-#include "app/project/edits/setting_edits.h"
-#include "app/window/notices/picture_checks.h"
+#include "app/document/design.h"
+#include "app/document/domain.h"
+#include "app/document/edits/document.h"
+#include "app/document/edits/handle_edits.h"
+#include "app/document/edits/part_edits.h"
+#include "app/document/edits/setting_edits.h"
+#include "app/document/in_background.h"
+#include "app/view/notices/picture_checks.h"
+#include "warp/drawn_picture.h"
 
 namespace wend {
 
@@ -17,13 +18,21 @@ namespace {
 
 constexpr double kFaint = 0.01;  // opacity above which the wider outline includes a pixel
 
+bool isDrawingFile(const QString& path) {
+    try {
+        return isDrawing(path.toStdString());
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 Offers::Offers(Document& document, InfoBanner& banner, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_banner(banner),
-      m_all{border(), softEdges(), lineArt(), parts()} {
+      m_all{border(), softEdges(), lineArt(), drawing(), parts()} {
     connect(&m_document, &Document::opened, this, &Offers::look);
     connect(&m_document, &Document::projectChanged, this, &Offers::follow);
 }
@@ -91,15 +100,36 @@ Offers::Offer Offers::parts() {
         return {tr("%n layers were opened as parts: each bends by itself. Join them where they meet, under "
                    "Parts.",
                    nullptr, count),
-                {{tr("Open Flattened"), flatten}}};
+                m_isDrawing ? QList<InfoBanner::Remedy>{{tr("Open Flattened"), flatten}, sizeButton()}
+                            : QList<InfoBanner::Remedy>{{tr("Open Flattened"), flatten}}};
     };
     return {InfoBanner::Topic::Parts, matters, {}, words};
+}
+
+InfoBanner::Remedy Offers::sizeButton() {
+    return {tr("Another Size…"), [this] { emit sizeWanted(); }};
+}
+
+/// One of several layers has the button beside the line about its parts.
+Offers::Offer Offers::drawing() {
+    const auto matters = [this] {
+        return m_isDrawing && !m_document.isEmpty() && m_document.picture() &&
+               m_document.domain().parts.empty();
+    };
+    const auto words = [this]() -> Words {
+        const Image& picture = *m_document.picture();
+        return {tr("This drawing became a picture of %1 × %2 pixels.").arg(picture.width).arg(picture.height),
+                {sizeButton()}};
+    };
+    return {InfoBanner::Topic::Drawing, matters, {}, words};
 }
 
 /// Large pictures take a while to check.
 void Offers::look() {
     m_made.clear();
+    m_isDrawing = false;
     if (!m_document.path().isEmpty()) return;
+    m_isDrawing = isDrawingFile(m_document.source());
     for (const Offer& offer : m_all) {
         if (!offer.matters() || !m_document.design<2>().handles.empty()) continue;
         if (!offer.isCalledFor) {

@@ -13,14 +13,18 @@ namespace wend {
 
 class Document;
 
-/// Offers to hold the border of a photograph, to include soft edges, to fill the holes of line art, or to
-/// open layers as one picture when a file was opened. An offer is shown until it is accepted, declined or
-/// irrelevant. Nothing is offered for saved projects.
+/// Offers to hold the border of a photograph, to include soft edges, to fill the holes of line art, to draw
+/// an SVG drawing in another size, or to open layers as one picture when a file was opened. An offer is shown
+/// until it is accepted, declined or irrelevant. Nothing is offered for saved projects.
 class Offers : public QObject {
     Q_OBJECT
 
   public:
     Offers(Document& document, InfoBanner& banner, QObject* parent);
+
+  signals:
+    /// The size of the drawing is to be asked for.
+    void sizeWanted();
 
   private:
     struct Words {
@@ -40,6 +44,8 @@ class Offers : public QObject {
     Offer softEdges();
     Offer lineArt();
     Offer parts();
+    Offer drawing();
+    InfoBanner::Remedy sizeButton();
     void look();
     void follow();
     void make(const Offer& offer);
@@ -49,6 +55,7 @@ class Offers : public QObject {
     Document& m_document;
     InfoBanner& m_banner;
     const std::vector<Offer> m_all;
+    bool m_isDrawing = false;            // what was opened
     std::set<InfoBanner::Topic> m_made;  // and neither taken nor withdrawn
 };
 

@@ -47,12 +47,17 @@ class TestPartList : public QObject {
     void hiddenPartsAreNotTouched();
     void lockedPartsAreLeftAlone();
     void paintBelongsToParts();
+    void gradientsAndFillsBelongToParts();
+    void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
     void islandsMayRide();
 
   private:
     void dragged();
+    void lock(int row);
+    void stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers modifiers = {});
+    bool isPainted(std::size_t part);
     double gap() {
         const auto frame = m_f->session().frame<2>();
         Vec<2> difference = Vec<2>::Zero();
@@ -423,6 +428,33 @@ void TestPartList::lockedPartsAreLeftAlone() {
     QVERIFY(!parts()[1].locked && session.mayChange(before));
 }
 
+void TestPartList::lock(int row) {
+    list().setCurrentRow(row);
+    panel().findChild<QAbstractButton*>("partLock")->click();
+}
+
+/// Presses at the first place of the document, and lets go at the last one.
+void TestPartList::stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers modifiers) {
+    ShapeCanvas& canvas = m_f->window().canvas();
+    QTest::mousePress(&canvas, Qt::LeftButton, modifiers, canvas.toWidget(way.front()).toPoint());
+    for (const Vec<2>& p : way) {
+        const QPointF at = canvas.toWidget(p);
+        QMouseEvent move(QEvent::MouseMove, at, canvas.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
+        QCoreApplication::sendEvent(&canvas, &move);
+    }
+    QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, canvas.toWidget(way.back()).toPoint());
+    QVERIFY(settle(m_f->session()));
+}
+
+bool TestPartList::isPainted(std::size_t part) {
+    const auto frame = m_f->session().frame<2>();
+    const MeshPart& range = frame->rest->parts.at(part);
+    const auto& phi = frame->material->phi;
+    return std::any_of(phi.begin() + range.firstCell, phi.begin() + range.endCell,
+                       [](double value) { return std::abs(value - phi::kMetr) > 1e-6; });
+}
+
 /// A stroke paints the part on which it began, and where that is locked, the one below.
 void TestPartList::paintBelongsToParts() {
     ShapeSession& session = m_f->session();
@@ -457,6 +489,59 @@ void TestPartList::paintBelongsToParts() {
     stroke();
     QVERIFY(settle(session));
     QVERIFY(!painted(1) && painted(0));
+}
+
+/// A gradient and a fill of everything change the frontmost part that is not locked where they begin; the
+/// ends of the gradient of a locked one are not dragged.
+void TestPartList::gradientsAndFillsBelongToParts() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
+    m_f->window().tools().setMode(Mode::Paint);
+    BrushSettings brush = m_f->window().properties().brush().now();
+    brush.phi = phi::kAkvf;
+    m_f->window().properties().brush().set(brush);
+    const auto regions = [&] { return session.document().design<2>().material.regions; };
+    m_f->tool("gradient")->trigger();
+    stroke({{75, 35}, {80, 37}, {85, 45}});
+    QCOMPARE(regions().size(), std::size_t{1});
+    QCOMPARE(regions()[0].part, std::string("bar"));
+    QVERIFY(isPainted(1) && !isPainted(0));
+    lock(1);
+    const int steps = undo().index();
+    stroke({{85, 45}, {82, 60}});  // not its end, but a gradient of the board
+    QCOMPARE(undo().index(), steps + 1);
+    QCOMPARE(regions().size(), std::size_t{2});
+    QCOMPARE(regions()[1].part, std::string("board"));
+    QVERIFY(isPainted(0));
+    undo().setIndex(0);
+    QVERIFY(settle(session) && !isPainted(0) && !isPainted(1));
+    m_f->tool("fill")->trigger();
+    stroke({{75, 35}}, Qt::ShiftModifier);
+    QVERIFY(isPainted(1) && !isPainted(0));
+}
+
+/// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.
+void TestPartList::outlinesOfLockedPartsStay() {
+    QVERIFY(settle(m_f->session()));
+    lock(1);
+    m_f->tool("outlineLasso")->trigger();
+    const int steps = undo().index();
+    const std::vector<Vec<2>> around{{60, 30}, {85, 30}, {85, 50}, {60, 50}, {60, 31}};
+    stroke(around, Qt::ControlModifier);
+    QCOMPARE(undo().index(), steps);
+    auto* makesPart = m_f->window().findChild<QAction*>("makesPart");
+    QVERIFY(makesPart);
+    makesPart->trigger();
+    stroke(around);
+    QCOMPARE(undo().index(), steps + 1);
+    QCOMPARE(parts().size(), std::size_t{4});
+    QCOMPARE(parts()[2].cutFrom, std::string("board"));
+    undo().undo();
+    QVERIFY(settle(m_f->session()));
+    for (const int row : {0, 2}) lock(row);
+    stroke(around);
+    QCOMPARE(parts().size(), std::size_t{3});
 }
 
 /// The field is there for what was cut out, whose picture is remade.

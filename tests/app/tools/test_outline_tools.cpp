@@ -16,6 +16,7 @@
 #include "app/project/edits/outline_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
+#include "app/session/pins/pin_traits.h"
 #include "app/tools/mesh/outline_tool.h"
 #include "app/tools/mesh/size_tool.h"
 #include "app/views/canvas/canvas.h"
@@ -164,6 +165,13 @@ void TestOutlineTools::limbsBecomeParts() {
     const auto& handles = designOf<2>(*m_session->document().project()).handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(handles[0].part, std::string("photograph"));
+    m_session->selection().set({0});
+    QVERIFY(!m_session->mayChange(0));  // a drag beside the part does not take the ground along …
+    m_session->beginDrag();
+    QVERIFY(!m_session->isDragging());
+    setLocked(*m_session, {0}, false);  // … until it is unlocked
+    QVERIFY(m_session->mayChange(0));
+    m_session->document().undoStack()->undo();
     QVERIFY(m_session->frame<2>() && m_session->frame<2>()->rest->parts.size() == 2);
     draw({{70, 60}, {100, 60}, {100, 90}, {70, 90}});
     QCOMPARE(domain().parts.size(), std::size_t(3));

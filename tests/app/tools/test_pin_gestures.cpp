@@ -38,6 +38,7 @@ class TestPinGestures : public QObject {
     void pointsWidenToRotateAndScale();
     void ringsRotatePoints();
     void pinsHoldTheirAngle();
+    void pointsTurnOnFromTheirAngle();
     void axesAndNumbers_data() { dimensions(); }
     void axesAndNumbers();
     void arrowsFollowTheScreen();
@@ -491,6 +492,30 @@ void TestPinGestures::pinsHoldTheirAngle() {
     QTest::mouseClick(check, Qt::LeftButton, {}, QPoint(8, check->height() / 2));
     QVERIFY(!check->isChecked());
     QVERIFY(std::holds_alternative<std::vector<Vec<2>>>(session().document().design<2>().handles[1].at));
+}
+
+/// While the ring of a point is dragged the shape is where the motion will lead it: the angle that it has
+/// there is not added again.
+void TestPinGestures::pointsTurnOnFromTheirAngle() {
+    QVERIFY(open<2>({-1.5, 0.0, 1.5}));
+    QVERIFY(drag(Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint(), {-30, 90}));
+    session().selection().set({1});
+    const double reach = 0.15 * Bar<2>::kUnit, before = angleAround(1, reach);
+    QVERIFY(std::abs(before) > 0.1);
+    const QPoint middle = Bar<2>::canvas(*m_f).toWidget(pin<2>(1)).toPoint();
+    press(middle + QPoint(44, 0));
+    QPoint at;
+    for (int k = 1; k <= 4; ++k) {
+        at = middle + QPoint(qRound(44 * std::cos(0.02 * k)), qRound(44 * std::sin(0.02 * k)));
+        moveBy(at, {});
+    }
+    QTRY_VERIFY(session().frame() && session().frame()->live && session().frame()->sample >= 4);
+    const double live = angleAround(1, reach);
+    QVERIFY(let(at));
+    const double after = angleAround(1, reach);
+    QVERIFY(!session().frame()->live);
+    QVERIFY2(std::abs(live - after) < 0.5 * std::abs(before),
+             qPrintable(QString("%1 %2 %3").arg(before).arg(live).arg(after)));
 }
 
 void TestPinGestures::axesAndNumbers() {

@@ -2,6 +2,7 @@
 // the mesh's file as a pin.
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -16,14 +17,16 @@
 #include "app/project/file/text_file.h"
 #include "app/project/project.h"
 #include "app/session/opening.h"
-#include "app/window/actions/actions.h"
-#include "app/window/actions/toolbox.h"
-#include "app/window/export/export_panel.h"
-#include "app/window/files/motion_chooser.h"
-#include "app/window/files/picture_keeper.h"
-#include "app/window/main_window.h"
-#include "app/window/notices/info_banner.h"
-#include "app/window/properties.h"
+#include "app/session/shape/shape.h"
+#include "app/view/actions/actions.h"
+#include "app/view/actions/toolbox.h"
+#include "app/view/export/export_panel.h"
+#include "app/view/files/drawing_size_dialog.h"
+#include "app/view/files/motion_chooser.h"
+#include "app/view/files/picture_keeper.h"
+#include "app/view/main_window.h"
+#include "app/view/notices/info_banner.h"
+#include "app/view/properties.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/image.h"
@@ -44,6 +47,7 @@ class TestTakenOver : public QObject {
     void oldProjectsStayAsTheyAre();
     void drawingsHaveAnySize_data();
     void drawingsHaveAnySize();
+    void sizesOfDrawingsFollowEachOther();
     void motionOfAnotherProject();
     void exportChoicesBelongToTheDocument();
     void groupsBecomePins();
@@ -202,6 +206,9 @@ void TestTakenOver::drawingsHaveAnySize() {
     QVERIFY(open(path));
     QCOMPARE(int(document().domain().parts.size()), parts);
     QCOMPARE(document().domain().size, (DrawnSize{1040, 1040}));  // 26 for 1
+    QStringList offered;
+    for (const auto* button : m_window->banner().findChildren<QAbstractButton*>()) offered << button->text();
+    QVERIFY2(offered.contains("Another Size…"), qPrintable(offered.join(", ")));
     addPin(document(), {520, 520}, "middle");
     pictures().redraw({400, 400});
     QVERIFY(
@@ -217,6 +224,20 @@ void TestTakenOver::drawingsHaveAnySize() {
     QVERIFY(open(project));
     QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
     QVERIFY((placed() - Vec<2>(200, 200)).norm() < 1e-9);
+}
+
+/// Width, height and percent of the size in which a drawing opens follow each other.
+void TestTakenOver::sizesOfDrawingsFollowEachOther() {
+    DrawingSizeDialog dialog({2080, 1040}, {1040, 520}, nullptr);
+    const auto sides = dialog.findChildren<QSpinBox*>();
+    auto* percent = dialog.findChild<QDoubleSpinBox*>();
+    QCOMPARE(sides.size(), 2);
+    QCOMPARE(percent->value(), 200.0);
+    percent->setValue(50);
+    QCOMPARE(dialog.size(), (DrawnSize{520, 260}));
+    sides[1]->setValue(1040);
+    QCOMPARE(dialog.size(), (DrawnSize{2080, 1040}));
+    QCOMPARE(percent->value(), 200.0);
 }
 
 void TestTakenOver::motionOfAnotherProject() {
