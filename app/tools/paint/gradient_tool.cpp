@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <array>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/free_name.h"
-#include "app/document/edits/part_edits.h"
+#include "app/engine/shape/material_raster.h"
+#include "app/engine/shape/mesh_parts.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/free_name.h"
+#include "app/project/edits/part_edits.h"
 #include "app/session/brush.h"
-#include "app/session/colours.h"
-#include "app/session/mark_size.h"
-#include "app/session/shape/material_raster.h"
-#include "app/session/shape/mesh_parts.h"
+#include "app/style/colours.h"
+#include "app/style/mark_size.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"
 #include "core/base/error.h"

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
-#include "app/document/edits/document.h"
-#include "app/document/edits/handle_edits.h"
-#include "app/document/edits/part_edits.h"
-#include "app/document/edits/setting_edits.h"
-#include "app/document/in_background.h"
-#include "app/view/notices/picture_checks.h"
+#include "app/base/in_background.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/edits/part_edits.h"
+#include "app/project/edits/setting_edits.h"
+#include "app/window/notices/picture_checks.h"
 #include "warp/drawn_picture.h"
 
 namespace wend {

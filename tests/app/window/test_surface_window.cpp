@@ -12,8 +12,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/document/design.h"
-#include "app/document/domain.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
@@ -21,6 +19,7 @@
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"
+#include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/tools/measure_tool.h"
 #include "app/views/volume/solid_canvas.h"
