@@ -3,6 +3,7 @@
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/style/mark_size.h"
+#include "app/session/shape/mesh_parts.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"
 
@@ -74,6 +75,9 @@ int regionUnder(ToolSurface& surface, const QPointF& widget) {
     for (const PinView<2>& view : session.pins()) {
         if (!view.region) continue;
         const Handle<2>& handle = session.document().design<2>().handles[view.handle];
+        const bool isBehind =  // another part, which is to be pinned itself
+            seen && !handle.part.empty() && partNameOf<2>(*frame->rest, seen->place.cell) != handle.part;
+        if (isBehind) continue;
         QPolygonF border;
         for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface.toWidget(p);
         if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;

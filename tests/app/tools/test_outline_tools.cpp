@@ -20,6 +20,8 @@
 #include "app/tools/mesh/outline_tool.h"
 #include "app/tools/mesh/size_tool.h"
 #include "app/views/canvas/canvas.h"
+#include "app/tools/pins/pin_picking.h"
+#include "app/view/canvas/canvas.h"
 #include "core/meshing/outline_combination.h"
 #include "core/solver/components.h"
 #include "tests/support/projects.h"
@@ -165,6 +167,8 @@ void TestOutlineTools::limbsBecomeParts() {
     const auto& handles = designOf<2>(*m_session->document().project()).handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(handles[0].part, std::string("photograph"));
+    QCOMPARE(partUnder<2>(*m_canvas, m_canvas->toWidget({30, 100}), false), 0);
+    QCOMPARE(partUnder<2>(*m_canvas, m_canvas->toWidget({100, 80}), false), -1);  // what is in front of it
     m_session->selection().set({0});
     QVERIFY(!m_session->mayChange(0));  // a drag beside the part does not take the ground along …
     m_session->beginDrag();
