@@ -1,9 +1,9 @@
 #include "app/tools/pins/pin_picking.h"
 
+#include "app/engine/shape/mesh_parts.h"
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/style/mark_size.h"
-#include "app/session/shape/mesh_parts.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"
 
