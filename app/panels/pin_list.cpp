@@ -21,7 +21,7 @@ namespace wend {
 
 namespace {
 
-constexpr int kListHeight = 92, kPinSwatch = 12, kSign = 24, kIcon = 16;
+constexpr int kListHeight = 92, kPinSwatch = 12, kSignColumn = 24, kIcon = 16;
 constexpr int kHandleRole = Qt::UserRole, kGroupRole = Qt::UserRole + 1, kColourRole = Qt::UserRole + 2;
 
 QIcon swatch(const QColor& colour) {
@@ -89,10 +89,10 @@ void PinList::makeList() {
     m_list->setColumnCount(Lock + 1);
     m_list->setHeaderHidden(true);
     m_list->header()->setStretchLastSection(false);
-    m_list->header()->setMinimumSectionSize(kSign);
+    m_list->header()->setMinimumSectionSize(kSignColumn);
     m_list->header()->setSectionResizeMode(QHeaderView::Fixed);
     m_list->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    for (const int column : {Link, Seen, Lock}) m_list->header()->resizeSection(column, kSign);
+    for (const int column : {Link, Seen, Lock}) m_list->header()->resizeSection(column, kSignColumn);
     m_list->setIndentation(16);
     m_list->setExpandsOnDoubleClick(false);
     m_list->setUniformRowHeights(true);
