@@ -129,7 +129,7 @@ class TestDragFlow : public QObject {
             gone += 0.05 * led.done;
         }
         QVERIFY(led.done < 1 && gone > 1 && gone < 2);
-        QVERIFY2(led.problem.find("would fold over") != std::string::npos, led.problem.c_str());
+        QVERIFY2(led.problem.text().find("would fold over") != std::string::npos, led.problem.text().c_str());
         QCOMPARE(distortion<Dim>(*bend.mesh, flow.pose()).flips, 0);
         QVERIFY(flow.constraintError() < 1e-12);
         const int tip = bend.mesh->vertexCount() - 1;
