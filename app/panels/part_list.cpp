@@ -107,7 +107,7 @@ void PartList::makeControls() {
     connect(rows, &PartRow::lockClicked, this, [this](int row) {
         if (row < static_cast<int>(parts().size())) lock(row, !parts()[static_cast<std::size_t>(row)].locked);
     });
-    // With words they would be wider than the column.
+    // Words would make them wider than the column.
     const auto chip = [this](QToolButton* button, const char* id, const char* icon, const QString& text,
                              const QString& help) {
         button->setObjectName(QString::fromLatin1(id));

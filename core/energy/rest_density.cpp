@@ -67,14 +67,21 @@ auto flat(const Mat<Dim>& M) {
     return Eigen::Map<const Eigen::Matrix<double, Dim * Dim, 1>>(M.data());
 }
 
-/// Computes the modes with ∂ψ/∂σ_i = a σ_i + b/σ_i, where a = 4 w_q J^(−2/d), k = 4 w_q/d + w_r, s = Σσ² and
-/// b = k (J − 1/J) − a s/d.
+/// The numbers a, b and c of restHessian() for J and s = ‖F‖².
+struct IsotropicTerms {
+    double a, b, c;
+};
+template <int Dim>
+IsotropicTerms isotropicTerms(EnergyWeights w, double J, double squares) {
+    const double k = 4 * w.q / Dim + w.r, a = 4 * w.q * shrink<Dim>(J);
+    return {a, k * (J - 1 / J) - a * squares / Dim, k * (J + 1 / J) + 2 * a * squares / (Dim * Dim)};
+}
+
+/// Computes the modes with ∂ψ/∂σ_i = a σ_i + b/σ_i.
 template <int Dim>
 RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
     const auto [U, V, sigma] = stretchOf(F);
-    const double J = sigma.prod(), squares = sigma.squaredNorm(), k = 4 * w.q / Dim + w.r,
-                 a = 4 * w.q * shrink<Dim>(J), b = k * (J - 1 / J) - a * squares / Dim,
-                 c = k * (J + 1 / J) + 2 * a * squares / (Dim * Dim);
+    const auto [a, b, c] = isotropicTerms<Dim>(w, sigma.prod(), sigma.squaredNorm());
     Mat<Dim> bySigma;  // ∂²ψ/∂σ²
     for (int i = 0; i < Dim; ++i)
         for (int j = 0; j < Dim; ++j)
@@ -177,9 +184,7 @@ CornerHessian<Dim> restHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Di
         H = 0.5 * (half + half.transpose());
         return H;
     }
-    const double J = F.determinant(), squares = F.squaredNorm(), k = 4 * w.q / Dim + w.r,
-                 a = 4 * w.q * shrink<Dim>(J), b = k * (J - 1 / J) - a * squares / Dim,
-                 c = k * (J + 1 / J) + 2 * a * squares / (Dim * Dim);
+    const auto [a, b, c] = isotropicTerms<Dim>(w, F.determinant(), F.squaredNorm());
     const Mat<Dim> f = 2 * a / Dim * F * hats, n = F.inverse().transpose() * hats;
     for (int l = 0; l < Dim; ++l)
         for (int m = l; m < Dim; ++m) {

@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/mesh/decompositions.h"
 #include "core/mesh/file_cells.h"
-#include "core/mesh/mesh_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "core/mesh/used_vertices.h"
@@ -157,7 +156,7 @@ Shape<2> loadFlatMesh(const Domain& domain, const std::string& folder) {
         throw error.named(path);
     }
     shape.source = file;
-    shape.plane = planeOf(file->points, file->triangles).value_or(PlaneFrame());
+    shape.plane = planeOf(pointsOf(*file), trianglesOf(*file)).value_or(PlaneFrame());
     shape.picture = loadPicture(domain, folder, &shape.notices);
     // On the file's own cells: at a seam, vertices at one place have texture points of their own.
     if (shape.picture)

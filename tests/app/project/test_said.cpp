@@ -1,4 +1,4 @@
-// What the core says, in other languages.
+// Messages of the core in other languages.
 
 #include <QCoreApplication>
 #include <QFile>
