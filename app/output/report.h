@@ -39,6 +39,8 @@ struct RunFigures {
 std::string reportJson(const RunFigures& figures);
 /// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
 std::string verdictJson(const MeshVerdict& verdict);
+/// Returns {"edge", "bodies", "parts", "apart", "gaps", "why"}, as text.
+std::string cageJson(const CageFacts& cage);
 /// {"selfCrossings": {"places", "pairs", "first"}, "blownUp": {"factor", "cells", "places", "worst"}} as
 /// text.
 template <int Dim>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "core/base/message.h"
 #include "core/meshing/closed_gaps.h"
@@ -28,8 +28,5 @@ struct CageFacts {
     std::vector<ClosedGap> gaps = {};  // within parts, that it closes
     GapOpener opener = {};             // of the widest of them
 };
-
-/// {"edge", "bodies", "parts", "apart", "gaps", "why"}, as text.
-std::string cageJson(const CageFacts& cage);
 
 }  // namespace wend

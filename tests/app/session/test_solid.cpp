@@ -5,6 +5,7 @@
 #include "app/engine/shape/shape_builder.h"
 #include "app/engine/shape/solid.h"
 #include "app/engine/shape/told_units.h"
+#include "app/output/report.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/file/project_reader.h"

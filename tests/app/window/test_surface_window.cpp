@@ -29,7 +29,6 @@
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/work_note.h"
 #include "app/window/solid_workshop.h"
-#include "core/integration/deformer.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 
