@@ -1,6 +1,5 @@
 #include "core/energy/rest_density.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
@@ -168,8 +167,8 @@ Mat<Dim> restStress(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
 template <int Dim>
 RestModes<Dim> restModes(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     if (isIdentity<Dim>(B0)) return isotropicModes<Dim>(w, F);
-    const Eigen::SelfAdjointEigenSolver<Modes<Dim>> solver(anisotropicHessian<Dim>(w, B0, F));
-    return {solver.eigenvalues(), solver.eigenvectors()};
+    const EigenPairs pairs = eigenPairs(anisotropicHessian<Dim>(w, B0, F));
+    return {pairs.values, pairs.vectors};
 }
 
 template <int Dim>

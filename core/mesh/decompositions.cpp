@@ -28,11 +28,40 @@ Vec<Dim> symmetricEigenvalues(const Mat<Dim>& A) {
     return Eigen::SelfAdjointEigenSolver<Mat<Dim>>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-template <int Columns, int Sides>
-LeastSquares<Columns, Sides> leastSquares(const Eigen::Matrix<double, Eigen::Dynamic, Columns>& A,
-                                          const Eigen::Matrix<double, Eigen::Dynamic, Sides>& B,
-                                          double tolerance) {
-    Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, Columns>> solver(A);
+EigenPairs eigenPairs(const Eigen::MatrixXd& A) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
+    return {solver.eigenvectors(), solver.eigenvalues()};
+}
+
+double largestEigenvalue(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& side) {
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(diagonal, side, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().maxCoeff();
+}
+
+namespace {
+
+Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& A,
+                                                                   double tolerance) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> result;
+    result.setThreshold(tolerance);
+    result.compute(A);
+    return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXd pseudoInverse(const Eigen::MatrixXd& A, double tolerance) {
+    return decomposed(A, tolerance).solve(Eigen::MatrixXd::Identity(A.rows(), A.rows()).eval());
+}
+
+Eigen::VectorXd leastNormSolution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double tolerance) {
+    return decomposed(A, tolerance).solve(Eigen::MatrixXd(b));
+}
+
+LeastSquares<Eigen::Dynamic, Eigen::Dynamic> leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                                                          double tolerance) {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(A);
     solver.setThreshold(tolerance);
     return {solver.solve(B), static_cast<int>(solver.rank())};
 }
@@ -41,14 +70,8 @@ LeastSquares<Columns, Sides> leastSquares(const Eigen::Matrix<double, Eigen::Dyn
     template SingularValues<Dim> singularValueDecomposition<Dim>(const Mat<Dim>&); \
     template Vec<Dim> singularValues<Dim>(const Mat<Dim>&);                        \
     template PrincipalAxes<Dim> principalAxes<Dim>(const Mat<Dim>&);               \
-    template Vec<Dim> symmetricEigenvalues<Dim>(const Mat<Dim>&);                  \
-    template LeastSquares<Dim, Dim> leastSquares<Dim, Dim>(                        \
-        const Eigen::Matrix<double, Eigen::Dynamic, Dim>&,                         \
-        const Eigen::Matrix<double, Eigen::Dynamic, Dim>&, double);
+    template Vec<Dim> symmetricEigenvalues<Dim>(const Mat<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
-
-template LeastSquares<2, 3> leastSquares<2, 3>(const Eigen::MatrixX2d&, const Eigen::MatrixX3d&, double);
-template LeastSquares<3, 2> leastSquares<3, 2>(const Eigen::MatrixX3d&, const Eigen::MatrixX2d&, double);
 
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/solver/dense_systems.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 namespace {

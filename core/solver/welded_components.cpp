@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/disjoint_sets.h"
-#include "core/solver/dense_systems.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 namespace {

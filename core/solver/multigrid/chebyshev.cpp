@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/solver/dense_systems.h"
+#include "core/mesh/decompositions.h"
 
 namespace wend {
 namespace {
