@@ -35,7 +35,7 @@ if(WEND_PCH)
         target_precompile_headers(wend_pch_${set} PRIVATE ${WEND_PCH_WIDGETS})
     endforeach()
     foreach(set core qt widgets)
-        target_compile_options(wend_pch_${set} PRIVATE ${WEND_USUAL})
+        target_compile_options(wend_pch_${set} PRIVATE ${WEND_USUAL_${set}})
     endforeach()
 endif()
 
