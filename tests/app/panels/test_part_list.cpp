@@ -19,6 +19,8 @@
 #include "app/panels/part_list.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
 #include "app/session/stray_parts.h"
 #include "app/window/files/file_workflow.h"
@@ -48,6 +50,7 @@ class TestPartList : public QObject {
     void lockedPartsAreLeftAlone();
     void paintBelongsToParts();
     void gradientsAndFillsBelongToParts();
+    void detailBelongsToParts();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
@@ -519,6 +522,41 @@ void TestPartList::gradientsAndFillsBelongToParts() {
     m_f->tool("fill")->trigger();
     stroke({{75, 35}}, Qt::ShiftModifier);
     QVERIFY(isPainted(1) && !isPainted(0));
+}
+
+/// The detail brush makes one part finer, and the meshes of the others stay; the project keeps which one,
+/// also under another name.
+void TestPartList::detailBelongsToParts() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    const auto pointsOf = [&](const std::string& name) {
+        const SimplicialMesh<2>& rest = *session.frame<2>()->rest;
+        const auto part = std::ranges::find(rest.parts, name, &MeshPart::name);
+        return Points<2>(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
+    };
+    const auto sizes = [&] { return session.document().domain().flatSizes; };
+    const auto near = [](const Points<2>& points) {
+        return ((points.colwise() - Vec<2>(72, 37)).colwise().norm().array() < 10).count();
+    };
+    const Points<2> bar = pointsOf("bar"), board = pointsOf("board");
+    m_f->window().tools().setMode(Mode::Mesh);
+    m_f->tool("sizes")->trigger();
+    stroke({{70, 35}, {75, 40}});
+    QCOMPARE(sizes().front().part, std::string("bar"));
+    QVERIFY(pointsOf("board") == board);
+    QVERIFY(near(pointsOf("bar")) > near(bar));
+    const LoadedProject read = parseProject(toJson(*session.document().project()), "again.wend");
+    QCOMPARE(domainOf(*read.project).flatSizes, sizes());
+    list().item(1)->setText("arm");
+    QTRY_COMPARE(sizes().front().part, std::string("arm"));
+    QVERIFY(settle(session));
+    const Points<2> finer = pointsOf("arm");
+    QVERIFY(near(finer) > near(bar));
+    lock(1);
+    stroke({{70, 35}, {75, 40}});
+    QCOMPARE(sizes().back().part, std::string("board"));
+    QVERIFY(pointsOf("arm") == finer);
+    QVERIFY(near(pointsOf("board")) > near(board));
 }
 
 /// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.
