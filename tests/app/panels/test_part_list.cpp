@@ -22,6 +22,7 @@
 #include "app/project/file/project_reader.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
+#include "app/session/part_making.h"
 #include "app/session/stray_parts.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
@@ -51,6 +52,7 @@ class TestPartList : public QObject {
     void paintBelongsToParts();
     void gradientsAndFillsBelongToParts();
     void detailBelongsToParts();
+    void dragsWaitForParts();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
@@ -557,6 +559,29 @@ void TestPartList::detailBelongsToParts() {
     QCOMPARE(sizes().back().part, std::string("board"));
     QVERIFY(pointsOf("arm") == finer);
     QVERIFY(near(pointsOf("board")) > near(board));
+}
+
+/// While a part of a photograph is being made, nothing is dragged, and that is said in plain words.
+void TestPartList::dragsWaitForParts() {
+    const QString path = m_folder.filePath("photo.png");
+    writeImage(path.toStdString(), plainPicture(180, 120, {90, 120, 60}));
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    QSignalSpy notices(&session, &ShapeSession::notice), problems(&session, &ShapeSession::problem);
+    makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
+    QVERIFY(session.isMeshing());
+    session.selection().set({session.addPin<2>({80, 50})});
+    notices.clear();
+    session.beginDrag();
+    QVERIFY(!session.isDragging());
+    QCOMPARE(notices.count(), 1);
+    QVERIFY(notices[0][0].toString().contains("still being made"));
+    QVERIFY(settle(session));
+    for (const auto& problem : problems) QCOMPARE(problem[0].toString(), QString());
+    session.beginDrag();
+    QVERIFY(session.isDragging());
+    session.cancelDrag();
 }
 
 /// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.
