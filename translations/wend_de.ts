@@ -7326,6 +7326,10 @@
         <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
         <translation>%1 ist in einem gesperrten Teil. Die Liste der Teile entsperrt ihn.</translation>
     </message>
+    <message>
+        <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
+        <translation>Ein Teil wird noch gemacht. Sobald er da ist, lassen sich Pins ziehen.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShortcutDialog</name>

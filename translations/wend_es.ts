@@ -7326,6 +7326,10 @@
         <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
         <translation>%1 está en una parte bloqueada. La lista de partes la desbloquea.</translation>
     </message>
+    <message>
+        <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
+        <translation>Una parte aún se está haciendo. Los alfileres se podrán arrastrar en cuanto esté.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShortcutDialog</name>

@@ -7326,6 +7326,10 @@
         <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
         <translation>%1 est dans une partie verrouillée. La liste des parties la déverrouille.</translation>
     </message>
+    <message>
+        <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
+        <translation>Une partie est encore en cours de création. Les épingles pourront être déplacées dès qu’elle sera là.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShortcutDialog</name>

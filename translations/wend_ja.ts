@@ -7309,6 +7309,10 @@
         <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
         <translation>%1 はロックされたパーツにあります。パーツのリストで解除できます。</translation>
     </message>
+    <message>
+        <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
+        <translation>パーツを作成中です。できあがるとピンをドラッグできます。</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShortcutDialog</name>

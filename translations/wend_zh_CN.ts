@@ -7309,6 +7309,10 @@
         <source>%1 is in a part that is locked. The list of parts unlocks it.</source>
         <translation>%1 位于已锁定的部件中。可在部件列表中解锁。</translation>
     </message>
+    <message>
+        <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
+        <translation>正在制作部件。完成后即可拖动图钉。</translation>
+    </message>
 </context>
 <context>
     <name>wend::ShortcutDialog</name>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <numeric>
 #include <ranges>
 #include <span>
 
@@ -228,38 +229,59 @@ class BandPainter {
         std::uint64_t samples;
     };
 
-    /// Returns the covered pieces of the outline's pixels, cell by cell in painting order.
-    std::vector<Piece> pieces() const {
+    /// Returns the covered pieces of the outline's pixels, cell by cell from the front to the back, but of
+    /// those pixels that show the colour of their front cell alone, which are marked.
+    std::vector<Piece> pieces(std::vector<bool>& isShown) const {
+        const OutlinePixels& outline = m_job.outline;
+        const auto& pixels = outline.pixels(m_band);
+        OutlinePixels::Marks open = outline.marks(m_band);
+        std::vector<bool> isBegun(pixels.size());
         std::vector<Piece> list;
-        for (int cell : m_job.cellsOfBand[static_cast<std::size_t>(m_band)])
-            m_job.outline.visit(m_band, m_job.cells[static_cast<std::size_t>(cell)].rows,
-                                [&](int pixel, std::uint64_t samples) {
-                                    list.push_back({pixel, cell, samples});
-                                });
-        std::stable_sort(list.begin(), list.end(),
-                         [](const Piece& a, const Piece& b) { return a.pixel < b.pixel; });
+        for (const int cell : std::views::reverse(m_job.cellsOfBand[static_cast<std::size_t>(m_band)]))
+            outline.visit(m_band, open, m_job.cells[static_cast<std::size_t>(cell)].rows,
+                          [&](int index, std::uint64_t samples) {
+                              const auto at = static_cast<std::size_t>(index);
+                              if (!isBegun[at] && samples == Layers::kAll && showsFrontCell(pixels[at])) {
+                                  isShown[at] = true;
+                                  return outline.remove(m_band, pixels[at], open);
+                              }
+                              isBegun[at] = true;
+                              list.push_back({index, cell, samples});
+                          });
         return list;
     }
 
+    /// Returns whether a pixel has the colour of the front cell at its centre, which is opaque.
+    bool showsFrontCell(const OutlinePixels::Pixel& pixel) const {
+        if (m_part != BandPart::All) return false;
+        return !m_shinesThrough || m_cells.hidesAll((pixel.y - m_begin) * m_job.view.width + pixel.x);
+    }
+
     void resolveOutline() {
-        const std::vector<Piece> list = pieces();
-        std::size_t at = 0;
-        for (const auto& pixel : m_job.outline.pixels(m_band)) {
-            const std::size_t begin = at;
-            while (at < list.size() && list[at].pixel == pixel.index) ++at;
-            resolve(pixel.x, pixel.y, list.data() + begin, list.data() + at);
+        const auto& pixels = m_job.outline.pixels(m_band);
+        std::vector<bool> isShown(pixels.size());
+        const std::vector<Piece> list = pieces(isShown);
+        std::vector<std::size_t> ends(pixels.size() + 1);  // of a pixel's pieces, at first of the one before
+        for (const Piece& piece : list) ++ends[static_cast<std::size_t>(piece.pixel) + 1];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        std::vector<Piece> upwards(list.size());
+        for (const Piece& piece : std::views::reverse(list))
+            upwards[ends[static_cast<std::size_t>(piece.pixel)]++] = piece;
+        std::size_t begin = 0;
+        for (const auto& pixel : pixels) {
+            const std::size_t end = ends[static_cast<std::size_t>(pixel.index)];
+            if (!isShown[static_cast<std::size_t>(pixel.index)])
+                resolve(pixel.x, pixel.y, std::span(upwards).subspan(begin, end - begin));
+            begin = end;
         }
     }
 
     /// Composites the cells from the top one down, and the outside where there is none.
-    void resolve(int x, int y, const Piece* begin, const Piece* end) {
-        const auto downwards = std::views::reverse(std::span(begin, end));
-        if (isBlended(downwards, &Piece::cell)) return resolveBlended(x, y, std::span(begin, end));
+    void resolve(int x, int y, std::span<const Piece> pieces) {
+        const auto downwards = std::views::reverse(pieces);
+        if (isBlended(downwards, &Piece::cell)) return resolveBlended(x, y, pieces);
         Layers seen = layers();
-        for (const Piece* piece = end; piece != begin;) {
-            --piece;
-            put(piece->cell, x, y, piece->samples, seen);
-        }
+        for (const Piece& piece : downwards) put(piece.cell, x, y, piece.samples, seen);
         if (seen.bare() != 0) seen.put(outsideColour(x, y), seen.bare());
         putOut(seen.colour(), target(x, y));
     }

@@ -1,8 +1,8 @@
 #include "warp/outline_pixels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace wend {
 namespace {
@@ -27,43 +27,57 @@ void forPixelsOf(Vec<2> a, Vec<2> b, int width, int height, Visit&& visit) {
     }
 }
 
+/// Returns the first sample, of 8 in a pixel, whose place is at or after x.
+int firstSample(double x, double left, double right) {
+    const double place = 8 * std::clamp(x, left, right) - 0.5;
+    const int whole = static_cast<int>(place);
+    return whole + (whole < place ? 1 : 0);
+}
+
 }  // namespace
 
-OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height,
-                             int bandRows)
-    : m_bandRows(bandRows), m_bands(static_cast<std::size_t>((height + bandRows - 1) / bandRows)) {
-    for (const auto& [from, to] : plan.outline)
-        forPixelsOf(pixels.col(from), pixels.col(to), width, height, [&](int x, int y) {
-            m_bands[static_cast<std::size_t>(y / bandRows)].pixels.push_back({x, y, 0});
-        });
-    const auto inOrder = [](const Pixel& a, const Pixel& b) {
-        return std::pair(a.y, a.x) < std::pair(b.y, b.x);
-    };
-    const auto equal = [](const Pixel& a, const Pixel& b) { return a.x == b.x && a.y == b.y; };
-    for (std::size_t band = 0; band < m_bands.size(); ++band) {
-        auto& [list, rowStart, before] = m_bands[band];
-        std::sort(list.begin(), list.end(), inOrder);
-        list.erase(std::unique(list.begin(), list.end(), equal), list.end());
-        rowStart.assign(static_cast<std::size_t>(bandRows) + 1, 0);
-        before.assign(static_cast<std::size_t>(width) / kColumn + 2, 0);
-        for (std::size_t k = 0; k < list.size(); ++k) {
-            ++before[static_cast<std::size_t>(list[k].x) / kColumn + 1];
-            list[k].index = static_cast<int>(k);
-            ++rowStart[static_cast<std::size_t>(list[k].y) - band * static_cast<std::size_t>(bandRows) + 1];
+SampleRows::SampleRows(const TriangleRows& rows, int y, double left, double right)
+    : m_least(8 * static_cast<int>(right)), m_allTo(m_least) {
+    for (std::size_t j = 0; j < 8; ++j) {
+        const double at = y + (static_cast<double>(j) + 0.5) / 8;
+        const Span span = at >= rows.top() && at < rows.bottom() ? rows.at(at) : Span();
+        if (span.begin < span.end) {
+            m_from[j] = firstSample(span.begin, left, right);
+            m_to[j] = firstSample(span.end, left, right);
         }
-        std::partial_sum(rowStart.begin(), rowStart.end(), rowStart.begin());
-        std::partial_sum(before.begin(), before.end(), before.begin());
+        m_allFrom = std::max(m_allFrom, m_from[j]), m_allTo = std::min(m_allTo, m_to[j]);
+        if (m_from[j] >= m_to[j]) continue;
+        m_least = std::min(m_least, m_from[j]), m_most = std::max(m_most, m_to[j]);
     }
 }
 
-std::uint64_t OutlinePixels::samplesOf(int x, const std::array<Span, 8>& spans) {
-    std::uint64_t samples = 0;
-    for (std::size_t j = 0; j < 8; ++j)
-        for (std::size_t i = 0; i < 8; ++i) {
-            const double at = x + (static_cast<double>(i) + 0.5) / 8;
-            if (at >= spans[j].begin && at < spans[j].end) samples |= std::uint64_t{1} << (8 * j + i);
-        }
-    return samples;
+OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height,
+                             int bandRows)
+    : m_bandRows(bandRows),
+      m_width(width),
+      m_words((width + kWord - 1) / kWord),
+      m_bands(static_cast<std::size_t>((height + bandRows - 1) / bandRows)) {
+    const auto words = static_cast<std::size_t>(m_words);
+    for (const auto& [from, to] : plan.outline)
+        forPixelsOf(pixels.col(from), pixels.col(to), width, height, [&](int x, int y) {
+            Band& band = m_bands[static_cast<std::size_t>(y / bandRows)];
+            if (band.marks.empty()) band.marks.resize(words * static_cast<std::size_t>(bandRows));
+            const auto row = static_cast<std::size_t>(y % bandRows);
+            band.marks[row * words + static_cast<std::size_t>(x / kWord)] |= std::uint64_t{1} << (x % kWord);
+        });
+    for (int band = 0; band < static_cast<int>(m_bands.size()); ++band) list(band);
+}
+
+void OutlinePixels::list(int band) {
+    Band& own = m_bands[static_cast<std::size_t>(band)];
+    own.before.reserve(own.marks.size());
+    for (std::size_t at = 0; at < own.marks.size(); ++at) {
+        const int row = static_cast<int>(at) / m_words, column = static_cast<int>(at) % m_words * kWord;
+        own.before.push_back(static_cast<int>(own.pixels.size()));
+        for (std::uint64_t marks = own.marks[at]; marks != 0; marks &= marks - 1)
+            own.pixels.push_back({column + std::countr_zero(marks), band * m_bandRows + row,
+                                  static_cast<int>(own.pixels.size())});
+    }
 }
 
 }  // namespace wend

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,33 @@
 #include "warp/coverage.h"
 
 namespace wend {
+
+/// The samples in eight rows of places, eight to a pixel, that a triangle covers in one row of pixels.
+class SampleRows {
+  public:
+    /// `y`: of the row. The triangle lies between the columns of pixels `left` and `right`.
+    SampleRows(const TriangleRows& rows, int y, double left, double right);
+
+    /// Return the first pixel with a sample, and the one after the last.
+    int begin() const { return m_least >> 3; }
+    int end() const { return (m_most + 7) >> 3; }
+    /// Returns the samples of a pixel: bit 8 j + i is the place ((i + ½) / 8, (j + ½) / 8) in it.
+    std::uint64_t at(int x) const {
+        const int first = 8 * x;
+        if (m_allFrom <= first && m_allTo >= first + 8) return ~std::uint64_t{0};
+        std::uint64_t samples = 0;
+        for (std::size_t j = 0; j < 8; ++j) {
+            const int from = std::clamp(m_from[j] - first, 0, 8), to = std::clamp(m_to[j] - first, 0, 8);
+            if (from < to) samples |= std::uint64_t{(0xFFU >> (8 - to)) & (0xFFU << from)} << (8 * j);
+        }
+        return samples;
+    }
+
+  private:
+    std::array<int, 8> m_from{}, m_to{};  // samples of each row, counted from the picture's left side
+    int m_least, m_most = 0;              // of all rows
+    int m_allFrom = 0, m_allTo;           // that all rows cover
+};
 
 /// The pixels on the outline of the shape, or of a part in front of what it is attached to, with the coverage
 /// of triangles at 8 × 8 samples each.
@@ -30,54 +58,75 @@ class OutlinePixels {
         return m_bands[static_cast<std::size_t>(band)].pixels;
     }
 
+    /// A bit for each pixel of a band, set for those on the outline; without any, nothing.
+    using Marks = std::vector<std::uint64_t>;
+    const Marks& marks(int band) const { return m_bands[static_cast<std::size_t>(band)].marks; }
+    void remove(int band, const Pixel& pixel, Marks& marks) const {
+        marks[wordOf(pixel.y - band * m_bandRows, pixel.x / kWord)] &=
+            ~(std::uint64_t{1} << (pixel.x % kWord));
+    }
+
     /// Calls found(index, samples) for all pixels of the band of which the triangle covers something; bit 8 j
     /// + i is the place ((i + ½) / 8, (j + ½) / 8) in the pixel.
     template <typename Found>
-    void visit(int band, const TriangleRows& rows, Found&& found) const;
+    void visit(int band, const TriangleRows& rows, Found&& found) const {
+        visit(band, marks(band), rows, found);
+    }
+    /// The same for those pixels that are marked. The function may remove their marks.
+    template <typename Found>
+    void visit(int band, const Marks& wanted, const TriangleRows& rows, Found&& found) const;
 
   private:
-    static constexpr int kColumn = 16;
+    static constexpr int kWord = 64;  // columns
     struct Band {
         std::vector<Pixel> pixels;
-        std::vector<int> rowStart;  // of every row, and the end
-        std::vector<int> before;    // number of pixels left of every kColumn-th column, and of the end
-
-        /// Returns whether there may be one between two columns: most cells are inside the shape, where there
-        /// is none.
-        bool hasAny(double left, double right) const {
-            const auto last = static_cast<double>(before.size()) - 1;
-            const auto from = static_cast<std::size_t>(std::clamp(std::floor(left / kColumn), 0.0, last)),
-                       to = static_cast<std::size_t>(std::clamp(std::floor(right / kColumn) + 1, 0.0, last));
-            return before[to] > before[from];
-        }
+        Marks marks;              // of kWord columns in a row, row after row; or empty
+        std::vector<int> before;  // number of pixels in earlier marks
     };
-    /// Returns the samples that the spans of the pixel's eight rows of places cover.
-    static std::uint64_t samplesOf(int x, const std::array<Span, 8>& spans);
+    void list(int band);
+    std::size_t wordOf(int row, int word) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_words) +
+               static_cast<std::size_t>(word);
+    }
 
-    int m_bandRows = 1;
+    /// Returns the marks of a word of a row from one column to before another.
+    std::uint64_t between(const Marks& marks, int row, int word, int from, int to) const {
+        std::uint64_t wanted =
+            marks[wordOf(row, word)] & (~std::uint64_t{0} << std::max(0, from - word * kWord));
+        if (to - word * kWord < kWord) wanted &= (std::uint64_t{1} << (to - word * kWord)) - 1;
+        return wanted;
+    }
+    bool hasAny(const Marks& marks, int row, int from, int to) const {
+        for (int word = from / kWord; word * kWord < to; ++word)
+            if (between(marks, row, word, from, to) != 0) return true;
+        return false;
+    }
+
+    int m_bandRows = 1, m_width = 0, m_words = 0;
     std::vector<Band> m_bands;
 };
 
 template <typename Found>
-void OutlinePixels::visit(int band, const TriangleRows& rows, Found&& found) const {
+void OutlinePixels::visit(int band, const Marks& wanted, const TriangleRows& rows, Found&& found) const {
+    if (wanted.empty()) return;
     const Band& own = m_bands[static_cast<std::size_t>(band)];
-    const double left = std::floor(rows.left()), right = rows.right();
-    if (own.pixels.empty() || !own.hasAny(left, right)) return;
+    const int left = static_cast<int>(std::clamp<double>(std::floor(rows.left()), 0, m_width));
+    const int right = static_cast<int>(std::clamp<double>(std::ceil(rows.right()), 0, m_width));
     const int bandTop = band * m_bandRows, bandEnd = bandTop + m_bandRows;
     const int begin = static_cast<int>(std::max<double>(bandTop, std::floor(rows.top())));
     for (int y = begin; y < bandEnd && y < rows.bottom(); ++y) {
-        const Pixel* it = own.pixels.data() + own.rowStart[static_cast<std::size_t>(y - bandTop)];
-        const Pixel* end = own.pixels.data() + own.rowStart[static_cast<std::size_t>(y - bandTop) + 1];
-        it = std::lower_bound(it, end, left, [](const Pixel& p, double x) { return p.x < x; });
-        if (it == end || it->x >= right) continue;
-        std::array<Span, 8> spans{};
-        for (int j = 0; j < 8; ++j) {
-            const double at = y + (j + 0.5) / 8;
-            if (at >= rows.top() && at < rows.bottom()) spans[static_cast<std::size_t>(j)] = rows.at(at);
+        const int row = y - bandTop;
+        if (!hasAny(wanted, row, left, right)) continue;
+        const SampleRows samples(rows, y, left, right);
+        const int from = std::max(left, samples.begin()), to = std::min(right, samples.end());
+        for (int word = from / kWord; word * kWord < to; ++word) {
+            const std::uint64_t all = own.marks[wordOf(row, word)];
+            for (auto rest = between(wanted, row, word, from, to); rest != 0; rest &= rest - 1) {
+                const std::uint64_t covered = samples.at(word * kWord + std::countr_zero(rest));
+                const int before = std::popcount(all & ~rest & (rest - 1));
+                if (covered != 0) found(own.before[wordOf(row, word)] + before, covered);
+            }
         }
-        for (; it != end && it->x < right; ++it)
-            if (const std::uint64_t samples = samplesOf(it->x, spans); samples != 0)
-                found(it->index, samples);
     }
 }
 

@@ -74,6 +74,8 @@ class SeenCells {
     bool empty() const { return m_states.empty(); }
     /// Returns whether a cell covers the pixel.
     bool covers(int pixel) const { return m_states[static_cast<std::size_t>(pixel)] != State::Free; }
+    /// Returns whether the front cell of the pixel is opaque there.
+    bool hidesAll(int pixel) const { return m_states[static_cast<std::size_t>(pixel)] == State::Hidden; }
 
     /// Adds a cell behind those that came before. Calls paint(from, to, isFirst) for the runs of pixels where
     /// it is seen: it returns a function that says of a pixel of the run whether the cell is opaque there. A
@@ -86,7 +88,7 @@ class SeenCells {
             const State state = row[x];
             int end = x + 1;
             while (end < to && row[end] == state) ++end;
-            if (state != State::Closed) {
+            if (state < State::Closed) {
                 const auto isOpaque = paint(x, end, state == State::Free);
                 for (; x < end; ++x) put(first + x, cell, isOpaque(x));
             }
@@ -111,7 +113,7 @@ class SeenCells {
     }
 
   private:
-    enum class State : std::uint8_t { Free, Open, Closed };
+    enum class State : std::uint8_t { Free, Open, Closed, Hidden };  // Hidden: closed by its first cell
     struct Pixel {
         int front, lowest;  // the first cell, and the place of the last other one in m_below, or −1
     };
@@ -121,6 +123,10 @@ class SeenCells {
 
     void put(int pixel, int cell, bool closes) {
         State& state = m_states[static_cast<std::size_t>(pixel)];
+        if (state == State::Free && closes) {
+            state = State::Hidden;
+            return;
+        }
         Pixel& own = m_pixels[static_cast<std::size_t>(pixel)];
         if (state == State::Free) {
             own = {cell, -1};
@@ -134,7 +140,7 @@ class SeenCells {
 
     int m_width = 0, m_top = 0;
     std::vector<State> m_states;
-    std::unique_ptr<Pixel[]> m_pixels;  // of those that are not free
+    std::unique_ptr<Pixel[]> m_pixels;  // of those that were open
     std::vector<int> m_overlapped;
     std::vector<Below> m_below;
 };

@@ -32,6 +32,7 @@ struct SizeRegionIn {
     double feather = 0;
     double factor = 1;  // of the length of edges
     Extras extras = {};
+    std::string part = {};  // of a picture, the only one that it is for; empty: all
     bool operator==(const SizeRegionIn&) const = default;
 };
 using SizeRegion = SizeRegionIn<3>;

@@ -32,6 +32,16 @@ std::vector<Amount> alongCurve(const std::vector<Vec<Dim>>& points) {
     return way;
 }
 
+/// Returns whether handles are of parts that a frame does not have.
+bool lacksPart(const Document& document, const FramePtr& shown) {
+    const auto frame = document.dimension() == 2 ? posed<2>(shown) : nullptr;
+    if (!frame) return false;
+    const std::vector<MeshPart>& parts = frame->rest->parts;
+    return std::ranges::any_of(document.design<2>().handles, [&](const Handle<2>& handle) {
+        return !handle.part.empty() && std::ranges::find(parts, handle.part, &MeshPart::name) == parts.end();
+    });
+}
+
 }  // namespace
 
 ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playback& playback,
@@ -119,6 +129,11 @@ void ShapeGesture::takeHold(const std::vector<int>& handles) {
 void ShapeGesture::begin(const Grip& grip, bool records) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
+    if (m_motion.isMeshing() && lacksPart(m_document, m_motion.frame())) {
+        emit notice(
+            ShapeSession::tr("A part is still being made. Pins can be dragged as soon as it is there."));
+        return;
+    }
     if (m_document.dimension() == 2)
         takeHold<2>(handles);
     else

@@ -104,6 +104,30 @@ class CellGraph {
             if (value == std::numeric_limits<double>::infinity()) value = 0;
         return distance;
     }
+    /// Returns the cells of the shortest way from a set to the nearest cell that is a goal, without that one
+    /// and the set's; empty if it is longer than `farthest`.
+    template <typename Within, typename IsGoal>
+    std::vector<int> shortestWay(const std::vector<int>& from, const Within& within, const IsGoal& isGoal,
+                                 double farthest) const {
+        using Entry = std::tuple<double, int, int>;  // the way to a cell, and the one before it
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+        std::map<int, int> before;
+        for (const int cell : from) open.emplace(0, cell, -1);
+        while (!open.empty()) {
+            const auto [way, cell, previous] = open.top();
+            open.pop();
+            if (!before.emplace(cell, previous).second) continue;
+            if (isGoal(cell)) {
+                std::vector<int> cells;
+                for (int c = previous; c >= 0 && before.at(c) >= 0; c = before.at(c)) cells.push_back(c);
+                return cells;
+            }
+            for (const Neighbour& next : m_neighbours[cell])
+                if (within(next.cell) && way + next.away <= farthest)
+                    open.emplace(way + next.away, next.cell, cell);
+        }
+        return {};
+    }
     /// The cell of each component that is farthest from the boundary.
     std::vector<int> middles(const std::vector<double>& inside) {
         std::vector<int> farthest(m_neighbours.size(), -1), cells;
@@ -258,6 +282,7 @@ class BodyTree {
         const auto within = [&](int c) { return m_nodeOf[c] == node; };
         m_graph.discDistances(seeds, m_depths, within, m_beyond);
         const auto isBody = [&](int c) { return m_beyond[c] <= kAround * radius; };
+        bridge(seeds, within, isBody, radius);
         std::vector<std::vector<int>> limbs;
         for (const int c : cells) {
             if (m_isSeen[c] || isBody(c)) continue;
@@ -266,6 +291,37 @@ class BodyTree {
                 limbs.push_back(std::move(part));
         }
         return limbs;
+    }
+
+    /// Connects pieces of a body that are no farther from one another by discs along the shortest way, as
+    /// through the neck between a head and a chest that are as thick: what lies beside it leads from arm to
+    /// arm.
+    template <typename Within, typename IsBody>
+    void bridge(const std::vector<int>& seeds, const Within& within, const IsBody& isBody, double farthest) {
+        std::map<int, int> pieceOf;
+        std::vector<std::vector<int>> pieces;
+        for (const int seed : seeds) {
+            if (pieceOf.contains(seed)) continue;
+            const int piece = static_cast<int>(pieces.size());
+            std::vector<int>& own = pieces.emplace_back(1, seed);
+            pieceOf[seed] = piece;
+            for (std::size_t k = 0; k < own.size(); ++k)
+                for (const CellGraph::Neighbour& next : m_graph.neighbours(own[k]))
+                    if (within(next.cell) && isBody(next.cell) && pieceOf.emplace(next.cell, piece).second)
+                        own.push_back(next.cell);
+        }
+        std::vector<int> ways;
+        for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
+            const std::vector<int> way = m_graph.shortestWay(
+                pieces[piece], within,
+                [&](int c) {
+                    const auto other = pieceOf.find(c);
+                    return other != pieceOf.end() && other->second != static_cast<int>(piece);
+                },
+                farthest);
+            ways.insert(ways.end(), way.begin(), way.end());
+        }
+        m_graph.discDistances(ways, m_depths, within, m_beyond);
     }
 
     /// Returns the cells that are connected with one through cells that belong.

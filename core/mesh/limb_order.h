@@ -10,7 +10,8 @@ namespace wend {
 /// this order limbs are entirely in front of or behind what they cross where a planar shape covers itself.
 ///
 /// Let d be the distance of a cell to the boundary and D its maximum in a set of cells. The body of the set
-/// is what is covered by discs about the cells with d ≥ 0.8 D, each of radius d + 0.2 D. The rest falls into
+/// is what is covered by discs about the cells with d ≥ 0.8 D, each of radius d + 0.2 D, and about those on
+/// the shortest way between two pieces of these cells that is no longer than 0.8 D. The rest falls into
 /// connected parts. A part that reaches out by more than 0.4 D, and by more than a tenth of its component's
 /// reach, is a limb and is decomposed in the same manner; other parts belong to the body. A limb thus begins
 /// where it leaves its body, whatever its length.

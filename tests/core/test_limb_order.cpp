@@ -84,12 +84,13 @@ struct Figure {
     /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints and at the shoulders,
     /// which may belong to the trunk or to an arm.
     QChar part(const Vec<2>& p) const {
-        const double slack = std::max(0.9 * armWidth, 0.4 * trunkWidth), x = std::abs(p.x());
+        const double slack = std::max(0.9 * armWidth, 0.45 * trunkWidth), x = std::abs(p.x());
         if (p.y() < -8) return 'h';
         if (x > trunkWidth + slack && p.y() < shoulder() + 2 * armWidth) return p.x() < 0 ? 'l' : 'r';
         if (p.y() > trunkLength + std::max(legWidth, 0.6 * trunkWidth)) return p.x() < 0 ? 'm' : 'n';
         const double side = p.y() < shoulder() + armWidth + slack ? slack : 0.3 * armWidth;
-        return x < trunkWidth - side && p.y() > shoulder() && p.y() < trunkLength - 12 ? 'b' : ' ';
+        const bool isTrunk = p.y() > shoulder() && p.y() < trunkLength - 0.5 * trunkWidth;
+        return x < trunkWidth - side && isTrunk ? 'b' : ' ';
     }
 };
 
@@ -187,7 +188,7 @@ void TestLimbOrder::limbsOfFiguresLieWhole_data() {
     const auto between = [&random](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / std::mt19937::max();
     };
-    for (int k = 0; k < 47; ++k) {
+    for (int k = 0; k < 600; ++k) {
         Figure f;
         f.trunkWidth = between(20, 60);
         f.trunkLength = between(3, 6) * f.trunkWidth;

@@ -2,7 +2,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <complex>
+#include <map>
 #include <numbers>
+#include <random>
 
 #include "core/base/error.h"
 #include "tests/support/pictures.h"
@@ -10,6 +12,7 @@
 #include "tests/support/warps.h"
 #include "warp/convert.h"
 #include "warp/coverage.h"
+#include "warp/outline_pixels.h"
 #include "warp/warped_picture.h"
 
 using namespace wend;
@@ -26,6 +29,7 @@ class TestWarp : public QObject {
     void quarterTurnIsAnArrayRotation();
     void noSeamBetweenCells();
     void coverageIsTheArea();
+    void samplesAreWhatSpansCover();
     void slantedEdgeIsAntialiased();
     void halfPixelShiftIsTheMean();
     void nearerCellsHideOthers();
@@ -151,6 +155,41 @@ void TestWarp::noSeamBetweenCells() {
             for (int x = 6; x < 58; ++x)
                 for (int c = 0; c < 4; ++c)
                     QCOMPARE(valueAt<std::uint8_t>(warped, x, y, c), valueAt<std::uint8_t>(source, x, y, c));
+    }
+}
+
+/// Every one of the samples of every pixel on the outline of small triangles, some of them beyond the
+/// picture.
+void TestWarp::samplesAreWhatSpansCover() {
+    constexpr int kWidth = 150, kHeight = 40, kBand = 8;
+    std::mt19937 random(3);
+    for (int round = 0; round < 300; ++round) {
+        SimplicialMesh<2> mesh;
+        mesh.points.resize(2, 3);
+        for (int k = 0; k < 6; ++k) {  // eighths of pixels too, where samples and corners coincide
+            const double size = k % 2 == 0 ? kWidth + 10 : kHeight + 10;
+            const double place = size * static_cast<double>(random()) / std::mt19937::max() - 5;
+            mesh.points(k % 2, k / 2) = round % 3 == 0 ? std::round(16 * place) / 16 : place;
+        }
+        mesh.cells.push_back({0, 1, 2});
+        const TriangleRows rows(mesh.points.col(0), mesh.points.col(1), mesh.points.col(2));
+        const OutlinePixels outline(PaintingPlan(mesh, {}), mesh.points, kWidth, kHeight, kBand);
+        for (int band = 0; band < kHeight / kBand; ++band) {
+            std::map<int, std::uint64_t> found;
+            outline.visit(band, rows, [&](int index, std::uint64_t samples) { found[index] = samples; });
+            std::pair before(-1, -1);
+            for (const OutlinePixels::Pixel& pixel : outline.pixels(band)) {
+                QVERIFY(before < std::pair(pixel.y, pixel.x) && pixel.y / kBand == band);
+                before = {pixel.y, pixel.x};
+                std::uint64_t expected = 0;
+                for (int k = 0; k < 64; ++k) {
+                    const double x = pixel.x + (k % 8 + 0.5) / 8, y = pixel.y + (k / 8 + 0.5) / 8;
+                    const Span span = y >= rows.top() && y < rows.bottom() ? rows.at(y) : Span();
+                    if (x >= span.begin && x < span.end) expected |= std::uint64_t{1} << k;
+                }
+                QCOMPARE(found[pixel.index], expected);
+            }
+        }
     }
 }
 

@@ -27,6 +27,9 @@ Domain domainOf(const Domain& whole, const PicturePart& part) {
     Domain own = whole;
     own.parts.clear();
     own.path = part.path;
+    std::erase_if(own.flatSizes, [&](const SizeRegionIn<2>& region) {
+        return !region.part.empty() && region.part != part.name;
+    });
     if (!part.outline) return own;
     own.outline = part.outline->kind;
     own.alpha = part.outline->alpha;

@@ -41,6 +41,7 @@ std::shared_ptr<const Project> withPartName(const Project& project, int part, co
     for (Handle<2>& handle : designOf<2>(*next).handles) rename(handle.part);
     for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) rename(region.part);
     for (DepthRegion& region : depthOf(*next)) rename(region.part);
+    for (SizeRegionIn<2>& region : domainOf(*next).flatSizes) rename(region.part);
     return next;
 }
 
@@ -140,6 +141,7 @@ std::shared_ptr<const Project> withoutParts(const Project& project, const std::s
     for (Handle<2>& handle : designOf<2>(*next).handles) handle.part.clear();
     for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) region.part.clear();
     for (DepthRegion& region : depthOf(*next)) region.part.clear();
+    for (SizeRegionIn<2>& region : domainOf(*next).flatSizes) region.part.clear();
     return next;
 }
 

@@ -39,12 +39,13 @@ Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, d
 }
 
 Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
-                          double factor) {
+                          double factor, const std::string& part) {
     Domain next = domain;
     auto& sizes = next.flatSizes;
     const auto isHidden = [&](const SizeRegionIn<2>& region) {
         const auto* own = std::get_if<Ball<2>>(&region.shape);
-        return own && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
+        const bool isReached = part.empty() || part == region.part;
+        return own && isReached && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
                    return (ball.centre - own->centre).norm() + own->radius + region.feather / 2 <=
                           (1 + kSamePlaces) * ball.radius - feather / 2;
                });
@@ -52,7 +53,7 @@ Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& ball
     std::erase_if(sizes, isHidden);
     if (sizes.empty() && factor == 1) return next;
     const std::string name = freeName(namesOf(sizes), strokeName());
-    for (const Ball<2>& ball : balls) sizes.push_back({name, ball, feather, factor});
+    for (const Ball<2>& ball : balls) sizes.push_back({name, ball, feather, factor, {}, part});
     return next;
 }
 

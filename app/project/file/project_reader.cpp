@@ -51,6 +51,7 @@ SizeRegionIn<Dim> readSizeRegion(const JsonValue& owner) {
     region.shape = readRegion<Dim>(object.require("shape"));
     if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
     region.factor = object.require("factor").number("domain.sizes[].factor");
+    if (auto part = Dim == 2 ? object.find("part") : std::nullopt) region.part = part->text();
     object.finish();
     return region;
 }

@@ -88,6 +88,7 @@ void addSizes(Json& json, const std::vector<SizeRegionIn<Dim>>& sizes) {
         one["shape"] = regionJson<Dim>(region.shape);
         if (region.feather != 0) one["feather"] = numberJson(region.feather);
         one["factor"] = numberJson(region.factor);
+        if (!region.part.empty()) one["part"] = region.part;
         json["sizes"].push_back(withExtras(std::move(one), region.extras));
     }
 }

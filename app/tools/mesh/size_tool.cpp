@@ -53,7 +53,8 @@ void SizeTool<Dim>::take(const std::vector<Dab>& dabs) {
                                         : QCoreApplication::translate("SizeTool", "Paint even mesh");
     if constexpr (Dim == 2)
         document.changeDomain(
-            name, withFlatSizeStroke(document.domain(), balls, this->featherOf(dabs.front()), factor()));
+            name, withFlatSizeStroke(document.domain(), balls, this->featherOf(dabs.front()), factor(),
+                                     this->partOf(dabs.front())));
     else
         document.changeDomain(name, withSizeStroke(document.domain(), balls, factor()));
 }

@@ -74,8 +74,10 @@ void ActionMaker::reword(QAction* action, const Words& words) {
 }
 
 void ActionMaker::enable(QAction* action, bool enabled, const QString& whyNot) {
+    const QString extra = enabled ? QString() : whyNot;
     action->setEnabled(enabled);
-    action->setProperty("whyNot", enabled ? QString() : whyNot);
+    if (action->property("whyNot").toString() == extra) return;  // as with most moves of a drag
+    action->setProperty("whyNot", extra);
     describe(action);
 }
 

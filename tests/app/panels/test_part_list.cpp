@@ -5,6 +5,8 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QListWidget>
 #include <QUndoStack>
@@ -19,7 +21,9 @@
 #include "app/panels/part_list.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
+#include "app/session/part_making.h"
 #include "app/session/stray_parts.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
@@ -48,6 +52,8 @@ class TestPartList : public QObject {
     void lockedPartsAreLeftAlone();
     void paintBelongsToParts();
     void gradientsAndFillsBelongToParts();
+    void detailBelongsToParts();
+    void dragsWaitForParts();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
@@ -519,6 +525,65 @@ void TestPartList::gradientsAndFillsBelongToParts() {
     m_f->tool("fill")->trigger();
     stroke({{75, 35}}, Qt::ShiftModifier);
     QVERIFY(isPainted(1) && !isPainted(0));
+}
+
+/// The detail brush makes one part finer, and the meshes of the others stay; the project keeps which one,
+/// also under another name.
+void TestPartList::detailBelongsToParts() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    const auto pointsOf = [&](const std::string& name) {
+        const SimplicialMesh<2>& rest = *session.frame<2>()->rest;
+        const auto part = std::ranges::find(rest.parts, name, &MeshPart::name);
+        return Points<2>(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
+    };
+    const auto sizes = [&] { return session.document().domain().flatSizes; };
+    const auto near = [](const Points<2>& points) {
+        return ((points.colwise() - Vec<2>(72, 37)).colwise().norm().array() < 10).count();
+    };
+    const Points<2> bar = pointsOf("bar"), board = pointsOf("board");
+    m_f->window().tools().setMode(Mode::Mesh);
+    m_f->tool("sizes")->trigger();
+    stroke({{70, 35}, {75, 40}});
+    QCOMPARE(sizes().front().part, std::string("bar"));
+    QVERIFY(pointsOf("board") == board);
+    QVERIFY(near(pointsOf("bar")) > near(bar));
+    const QByteArray written = QByteArray::fromStdString(toJson(*session.document().project()));
+    const QJsonObject domain = QJsonDocument::fromJson(written)["domain"].toObject();
+    QCOMPARE(domain["sizes"][0]["part"].toString(), QString("bar"));
+    list().item(1)->setText("arm");
+    QTRY_COMPARE(sizes().front().part, std::string("arm"));
+    QVERIFY(settle(session));
+    const Points<2> finer = pointsOf("arm");
+    QVERIFY(near(finer) > near(bar));
+    lock(1);
+    stroke({{70, 35}, {75, 40}});
+    QCOMPARE(sizes().back().part, std::string("board"));
+    QVERIFY(pointsOf("arm") == finer);
+    QVERIFY(near(pointsOf("board")) > near(board));
+}
+
+/// While a part of a photograph is being made, nothing is dragged, and that is said in plain words.
+void TestPartList::dragsWaitForParts() {
+    const QString path = m_folder.filePath("photo.png");
+    writeImage(path.toStdString(), plainPicture(180, 120, {90, 120, 60}));
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    QSignalSpy notices(&session, &ShapeSession::notice), problems(&session, &ShapeSession::problem);
+    makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
+    QVERIFY(session.isMeshing());
+    session.selection().set({session.addPin<2>({80, 50})});
+    notices.clear();
+    session.beginDrag();
+    QVERIFY(!session.isDragging());
+    QCOMPARE(notices.count(), 1);
+    QVERIFY(notices[0][0].toString().contains("still being made"));
+    QVERIFY(settle(session));
+    for (const auto& problem : problems) QCOMPARE(problem[0].toString(), QString());
+    session.beginDrag();
+    QVERIFY(session.isDragging());
+    session.cancelDrag();
 }
 
 /// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.

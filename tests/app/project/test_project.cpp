@@ -337,6 +337,22 @@ class TestProject : public QObject {
         QVERIFY(toJson(*parseProject(plain, "p.wend").project).find("\"repair\": true") != std::string::npos);
     }
 
+    /// Sizes of a picture may be those of one part.
+    void sizesOfAPart() {
+        const std::string text = projectText(
+            "'domain': {'image': 'a.png', 'vertices': 900, 'sizes': [{'shape': {'circle': {'centre': [5, 6], "
+            "'radius': 2}}, 'factor': 0.5, 'part': 'arm'}, {'shape': {'circle': {'centre': [5, 6], 'radius': "
+            "2}}, 'factor': 2}]}");
+        const LoadedProject loaded = parseProject(text, "p.wend");
+        QVERIFY(loaded.warnings.empty());
+        const auto& sizes = loaded.project->domain.flatSizes;
+        QCOMPARE(sizes.at(0).part, std::string("arm"));
+        QVERIFY(sizes.at(1).part.empty());
+        const std::string once = toJson(*loaded.project);
+        QVERIFY(parseProject(once, "p.wend").project->domain.flatSizes == sizes);
+        QVERIFY(once.find("\"part\": \"arm\"") != std::string::npos);
+    }
+
     void cageOfASurface() {
         const auto domain = [](const std::string& cage) {
             return *parseProject(projectText("'domain': {'surface': 'bar.obj', " + cage + "'vertices': 9}"),
