@@ -74,8 +74,10 @@ void ActionMaker::reword(QAction* action, const Words& words) {
 }
 
 void ActionMaker::enable(QAction* action, bool enabled, const QString& whyNot) {
+    const QString why = enabled ? QString() : whyNot;
+    if (action->isEnabled() == enabled && action->property("whyNot").toString() == why) return;
     action->setEnabled(enabled);
-    action->setProperty("whyNot", enabled ? QString() : whyNot);
+    action->setProperty("whyNot", why);
     describe(action);
 }
 
