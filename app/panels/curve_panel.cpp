@@ -11,6 +11,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/timing_edits.h"
+#include "app/session/calm_follower.h"
 #include "app/session/pins/curve_making.h"
 
 namespace wend {
@@ -37,8 +38,7 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
     connect(&m_session.playback(), &Playback::timeChanged, this, &CurvePanel::showCurve);
     for (ExactBox* box : {m_twist, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &CurvePanel::showCurve);
-    connect(&m_session, &ShapeSession::frameChanged, this, &CurvePanel::showCurve);
+    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { showCurve(); });
     showCurve();
 }
 

@@ -14,6 +14,7 @@
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/session/calm_follower.h"
 #include "core/energy/distortion.h"
 
 namespace wend {
@@ -53,7 +54,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     makeControls();
     arrange();
     setDimension(2);
-    connect(&m_session, &ShapeSession::frameChanged, this, &DistortionPanel::takeFrame);
+    new CalmFollower(m_session, CalmFollower::Of::Frames, this, [this] { takeFrame(); });
     for (ExactBox* box : {m_low, m_high})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DistortionPanel::chooseRange);
     connect(m_logarithmic, &QCheckBox::toggled, this, [this] {

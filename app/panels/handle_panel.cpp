@@ -12,6 +12,7 @@
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/session/calm_follower.h"
 #include "app/style/theme.h"
 
 namespace wend {
@@ -29,8 +30,7 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
     arrange();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &HandlePanel::showStep);
     connect(m_apply, &QToolButton::clicked, this, &HandlePanel::apply);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &HandlePanel::showHandle);
-    connect(&m_session, &ShapeSession::frameChanged, this, &HandlePanel::showHandle);
+    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { showHandle(); });
     showStep();
     showHandle();
 }

@@ -7,6 +7,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/project/options/settings.h"
+#include "app/session/calm_follower.h"
 #include "app/style/theme.h"
 
 namespace wend {
@@ -40,7 +41,7 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
     connect(m_grown, &QPushButton::clicked, this,
             [this] { choosePhi(m_slider->scale().stops().at(calmerStop()).phi, -1); });
-    connect(&m_session, &ShapeSession::frameChanged, this, &MaterialPanel::showGrowth);
+    new CalmFollower(m_session, CalmFollower::Of::Frames, this, [this] { showGrowth(); });
     connect(&m_session.document(), &Document::projectChanged, this, &MaterialPanel::showProject);
     showProject();
     showGrowth();

@@ -11,6 +11,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"
 #include "app/project/design.h"
+#include "app/session/calm_follower.h"
 #include "app/style/colour_map.h"
 #include "core/mesh/quality.h"
 
@@ -73,8 +74,7 @@ MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
              tr("Volume of the tetrahedra and area of the outer triangles that the selected handles hold."));
     describe(m_point, tr("Vertex under the pointer"), tr("The nearest vertex and where it is."));
     describe(m_cell, tr("Tetrahedron under the pointer"), tr("All values of the tetrahedron."));
-    connect(&session, &ShapeSession::frameChanged, this, &MeasurePanel::refresh);
-    connect(&session, &ShapeSession::pinsChanged, this, &MeasurePanel::refresh);
+    new CalmFollower(session, CalmFollower::Of::Both, this, [this] { refresh(); });
 }
 
 void MeasurePanel::setPointed(int cell, int vertex, const Vec<3>& point) {

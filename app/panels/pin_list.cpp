@@ -13,6 +13,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/pin_edits.h"
+#include "app/session/calm_follower.h"
 #include "app/session/pins/pin_traits.h"
 #include "app/style/marks.h"
 #include "app/style/theme.h"
@@ -69,7 +70,7 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
     connect(m_list, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         if (!m_session.selection().isEmpty()) emit menuWanted(m_list->viewport()->mapToGlobal(at));
     });
-    connect(&m_session, &ShapeSession::pinsChanged, this, &PinList::showPins);
+    new CalmFollower(m_session, CalmFollower::Of::Pins, this, [this] { showPins(); });
     connect(&m_session.playback(), &Playback::timeChanged, this, &PinList::showPins);
     m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_empty->setAlignment(Qt::AlignCenter);

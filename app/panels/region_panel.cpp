@@ -8,6 +8,7 @@
 #include "app/panels/fields/region_numbers.h"
 #include "app/project/design.h"
 #include "app/project/edits/handle_edits.h"
+#include "app/session/calm_follower.h"
 #include "app/session/pins/pin_shapes.h"
 
 namespace wend {
@@ -43,7 +44,7 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
         if (m_session.singleHandle() >= 0) setHoldsAngle(m_session, m_session.singleHandle(), holds);
         showHandle();
     });
-    connect(&m_session, &ShapeSession::pinsChanged, this, &RegionPanel::showHandle);
+    new CalmFollower(m_session, CalmFollower::Of::Pins, this, [this] { showHandle(); });
     connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
 }

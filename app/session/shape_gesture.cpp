@@ -365,6 +365,10 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
     const std::optional<Project> next =
         appends ? withPoseAppended<Dim>(project, gesture, starts) : withPose<Dim>(project, gesture, starts);
     if (!next) return false;
+    if (const FramePtr& frame = m_motion.frame(); !appends && frame && frame->live) {
+        m_motion.showLive(atTime(frame, gesture.from));  // until the exact shape of this time is known
+        m_playback.setTime(gesture.from);
+    }
     m_document.change(step, *next, key);
     if (appends) m_added = {gesture.handles, m_document.project()};
     m_playback.setTime(appends ? m_playback.end() : gesture.from);

@@ -150,11 +150,14 @@ void ShapeMotion::cancelWork() {
     setBusy(false);
     showTime();
     m_failed = meshing;
-    if (meshing)
+    const QString motion = ShapeSession::tr("The motion was cancelled. Any change computes it again.");
+    if (!meshing)
+        emit notice(motion);
+    else if (m_shape)  // as a rule its mesh serves again
+        emit problem(motion);
+    else
         emit problem(
             ShapeSession::tr("Meshing was cancelled. Any change, such as fewer vertices, starts it again."));
-    else
-        emit notice(ShapeSession::tr("The motion was cancelled. Any change computes it again."));
 }
 
 /// Goes back by undo or redo steps if they reach the project, otherwise by a new change: steps may have

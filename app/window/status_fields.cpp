@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/session/calm_follower.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -48,6 +49,7 @@ class StatusFields::HintLabel : public QLabel {
     using QLabel::QLabel;
 
     void setHint(const QString& hint) {
+        if (hint == m_hint) return;
         m_hint = hint;
         setToolTip(hint);
         fit();
@@ -84,7 +86,7 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
             [this, last = 0](int steps) mutable {
                 if (steps < std::exchange(last, steps)) showMessage({});  // it described the undone step
             });
-    connect(&session, &ShapeSession::frameChanged, this, &StatusFields::showFrame);
+    new CalmFollower(session, CalmFollower::Of::Frames, this, [this] { showFrame(); });
 }
 
 QLabel* StatusFields::add(const QString& name, const QString& help, const QString& widest) {
@@ -138,7 +140,7 @@ void StatusFields::setHint(const QString& hint) {
 }
 
 void StatusFields::setPointer(const QString& text) {
-    m_pointer->setText(text);
+    if (text != m_pointer->text()) m_pointer->setText(text);
 }
 
 void StatusFields::showFrame() {

@@ -326,6 +326,13 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
             continue;
         }
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
+        if (isLive && most <= descent.tolerance && m_energy.unfoldedPart(shape, step) >= 1) {
+            // Whether W falls by so small a step need not be looked at: the next frame goes on from there.
+            shape += step;
+            if (descent.keep) descent.keep(shape);
+            small = true;
+            continue;
+        }
         const double part = lineSearch(shape, step, -decrement, proximal, descent);
         small = part * most <= descent.tolerance;
         if (part == 0 && std::exchange(serves, false)) continue;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include "app/project/edits/bezier_edits.h"
 #include "app/project/edits/offset_path.h"
 #include "app/project/edits/progress.h"
+#include "core/motion/easing.h"
 #include "core/motion/trajectory.h"
 
 namespace wend {
@@ -15,6 +17,22 @@ namespace wend {
 namespace {
 
 constexpr double kJoint = 1e-9;  // part of a piece that is not divided off
+constexpr int kCompared = 32;    // shares of the time at which easings are compared
+
+/// Returns the easing that is nearest to the part of another one between two shares of the time.
+Ease nearestEase(Ease whole, double from, double to) {
+    const double begin = ease(whole, from), way = ease(whole, to) - begin;
+    const auto off = [&](Ease kind) {
+        double most = 0;
+        for (int i = 1; i < kCompared; ++i) {
+            const double s = static_cast<double>(i) / kCompared;
+            most =
+                std::max(most, std::abs((ease(whole, std::lerp(from, to, s)) - begin) / way - ease(kind, s)));
+        }
+        return most;
+    };
+    return std::ranges::min(std::array{Ease::Linear, Ease::In, Ease::Out, Ease::InOut}, {}, off);
+}
 
 /// Returns the curve of a motion that grows without turning; null for others.
 template <int Dim>
@@ -28,6 +46,7 @@ const CurveMotion<Dim>* growthOf(const Motion<Dim>& motion) {
 template <int Dim>
 std::vector<TimedCubic<Dim>> pathOf(const Motion<Dim>& motion, const CurveMotion<Dim>& curve) {
     Motion<Dim> path = motion;
+    path.ease = Ease::Linear;
     auto& plain = std::get<CurveMotion<Dim>>(path.kind);
     plain.scale = 1;
     if (curve.interpolation == Interpolation::Polyline && curve.points.size() == 2) {  // as a cubic
@@ -79,6 +98,24 @@ std::vector<Motion<Dim>> growthThrough(const Motion<Dim>& motion, const CurveMot
     return result;
 }
 
+/// Lets parts of an even motion begin and end when an eased one is where they do; `even` becomes `time`.
+template <int Dim>
+void easeAs(const Motion<Dim>& whole, double even, double time, std::vector<Motion<Dim>>& parts) {
+    if (whole.ease == Ease::Linear) return;
+    const double length = whole.end - whole.start;
+    const auto timeOf = [&](double t) {
+        if (t == even) return time;
+        const double share = (t - whole.start) / length;
+        return share >= 1 ? whole.end : whole.start + easeInverse(whole.ease, share) * length;
+    };
+    for (Motion<Dim>& part : parts) {
+        part.start = timeOf(part.start);
+        part.end = timeOf(part.end);
+        part.ease =
+            nearestEase(whole.ease, (part.start - whole.start) / length, (part.end - whole.start) / length);
+    }
+}
+
 /// The displacements times a factor, plus a common one.
 template <int Dim>
 FieldMotion<Dim> scaledField(const FieldMotion<Dim>& field, double factor, const Vec<Dim>& by) {
@@ -93,13 +130,18 @@ FieldMotion<Dim> scaledField(const FieldMotion<Dim>& field, double factor, const
 
 template <int Dim>
 std::vector<Motion<Dim>> ledWhileGrowing(const Motion<Dim>& motion, const Vec<Dim>& by, double time) {
-    if (motion.ease != Ease::Linear) return {};
-    if (const auto* curve = growthOf<Dim>(motion)) return growthThrough<Dim>(motion, *curve, by, time);
-    const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind);
-    if (!field) return {};
-    const double share = (time - motion.start) / (motion.end - motion.start);
-    return {{scaledField<Dim>(*field, share, by), motion.start, time},
-            {scaledField<Dim>(*field, 1 - share, -by), time, motion.end}};
+    const double length = motion.end - motion.start,
+                 share = ease(motion.ease, (time - motion.start) / length);
+    const double even = motion.ease == Ease::Linear ? time : motion.start + share * length;
+    std::vector<Motion<Dim>> parts;
+    if (const auto* curve = growthOf<Dim>(motion)) {
+        parts = growthThrough<Dim>(motion, *curve, by, even);
+    } else if (const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind)) {
+        parts = {{scaledField<Dim>(*field, share, by), motion.start, even},
+                 {scaledField<Dim>(*field, 1 - share, -by), even, motion.end}};
+    }
+    easeAs<Dim>(motion, even, time, parts);
+    return parts;
 }
 
 template <int Dim>
@@ -118,8 +160,29 @@ std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by
     return {result};
 }
 
+/// Returns the field of displacements of two motions that follow each other, of which one at least is a field
+/// and the other a field or a translation.
+template <int Dim>
+std::optional<Motion<Dim>> joinedFields(const Motion<Dim>& before, const Motion<Dim>& after) {
+    std::map<int, Vec<Dim>> sum;
+    const auto *one = std::get_if<FieldMotion<Dim>>(&before.kind),
+               *two = std::get_if<FieldMotion<Dim>>(&after.kind);
+    const auto first = offsetOf<Dim>(before), second = offsetOf<Dim>(after);
+    if (!(one || two) || !(one || first) || !(two || second)) return {};
+    for (const auto* field : {one, two})
+        if (field)
+            for (const auto& [vertex, displacement] : *field->values)
+                sum.try_emplace(vertex, Vec<Dim>::Zero()).first->second += displacement;
+    if (!one || !two)
+        for (auto& [vertex, displacement] : sum) displacement += one ? *second : *first;
+    FieldMotion<Dim> whole;
+    whole.values = std::make_shared<const Displacements<Dim>>(sum.begin(), sum.end());
+    return Motion<Dim>{std::move(whole), before.start, after.end};
+}
+
 template <int Dim>
 std::optional<Motion<Dim>> joinedGrowth(const Motion<Dim>& before, const Motion<Dim>& after) {
+    if (auto fields = joinedFields<Dim>(before, after)) return fields;
     const auto *one = growthOf<Dim>(before), *two = growthOf<Dim>(after);
     if ((!one && !offsetOf<Dim>(before)) || (!two && !offsetOf<Dim>(after)) || !(one || two)) return {};
     const auto first = Trajectory<Dim>(before).at(before.end, Side::Before).position,

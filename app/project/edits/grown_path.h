@@ -7,11 +7,12 @@
 
 namespace wend {
 
-/// Returns the motions of a handle that grows or shrinks at an even pace, or moves every vertex by its own
-/// displacement, led through a pose at a time within it: exactly where it was plus a displacement times a
-/// factor that rises linearly in time from 0 to 1 and falls back to 0. The factor of growth is linear in
-/// time, and so are the parts of it. None for other motions, and for eased ones: a part of an easing is no
-/// easing.
+/// Returns the motions of a handle that grows or shrinks, or moves every vertex by its own displacement, led
+/// through a pose at a time within it: exactly where it was plus a displacement times a factor that rises
+/// linearly in time from 0 to 1 and falls back to 0. The factor of growth is linear in time, and so are the
+/// parts of it. Those of an eased motion are exact at its ends, at the pose and where pieces of its path
+/// join; between these they have the nearest easings, because a part of an easing is no easing. None for
+/// other motions.
 template <int Dim>
 std::vector<Motion<Dim>> ledWhileGrowing(const Motion<Dim>& motion, const Vec<Dim>& by, double time);
 
@@ -21,7 +22,8 @@ template <int Dim>
 std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last);
 
 /// Returns one motion by what two do that follow each other, of which one at least grows and the other grows
-/// or translates; nothing for other motions.
+/// or translates, or one at least is a field and the other a field or a translation; nothing for other
+/// motions.
 template <int Dim>
 std::optional<Motion<Dim>> joinedGrowth(const Motion<Dim>& before, const Motion<Dim>& after);
 

@@ -1,6 +1,8 @@
 #include "app/views/canvas/screen_picture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "warp/convert.h"
 #include "warp/pixels.h"
@@ -97,13 +99,36 @@ QImage encodedImage(const Image& pixels) {
     return image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
-/// Converts a result of forScreen().
-QImage toQImage(const Image& pixels) {
+QRgb withRedAndBlueSwapped(QRgb pixel) {
+    return (pixel & 0xFF00FF00U) | (pixel & 0xFFU) << 16U | (pixel >> 16U & 0xFFU);
+}
+
+/// Converts pixels of four bytes, red first, in place.
+void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
+    constexpr std::ptrdiff_t kBlock = 16;
+    while (begin != end) {
+        QRgb* const next = begin + std::min(kBlock, end - begin);
+        QRgb all = ~QRgb(0), any = 0;
+        for (const QRgb* pixel = begin; pixel != next; ++pixel) all &= *pixel, any |= *pixel;
+        std::transform(begin, next, begin, withRedAndBlueSwapped);
+        if (unassociated && qAlpha(all) != 255 && any != 0)
+            for (QRgb* pixel = begin; pixel != next; ++pixel) *pixel = qPremultiply(*pixel);
+        begin = next;
+    }
+}
+
+/// Converts a result of forScreen(), in its own memory.
+QImage toQImage(Image&& pixels) {
     if (pixels.type == PixelType::Half) return encodedImage(pixels);
-    const auto format = pixels.unassociated ? QImage::Format_RGBA8888 : QImage::Format_RGBA8888_Premultiplied;
-    const QImage borrowed(reinterpret_cast<const uchar*>(pixels.data.data()), pixels.width, pixels.height,
-                          static_cast<qsizetype>(pixels.rowBytes()), format);
-    return borrowed.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    auto* owned = new Image(std::move(pixels));
+    for (int y = 0; y < owned->height; ++y) {
+        auto* row = reinterpret_cast<QRgb*>(owned->row(y));
+        toArgb(owned->unassociated, row, row + owned->width);
+    }
+    return QImage(
+        reinterpret_cast<uchar*>(owned->data.data()), owned->width, owned->height,
+        static_cast<qsizetype>(owned->rowBytes()), QImage::Format_ARGB32_Premultiplied,
+        [](void* image) { delete static_cast<Image*>(image); }, owned);
 }
 
 }  // namespace
@@ -112,8 +137,8 @@ ScreenPicture::ScreenPicture(const std::shared_ptr<const Image>& picture) : m_py
 
 QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                              const WarpOptions& options) const {
-    const Image pixels = warpImage(m_pyramid, rest, pose, view, options);
-    return pixels.data.empty() ? QImage() : toQImage(pixels);
+    Image pixels = warpImage(m_pyramid, rest, pose, view, options);
+    return pixels.data.empty() ? QImage() : toQImage(std::move(pixels));
 }
 
 }  // namespace wend

@@ -74,10 +74,10 @@ void ActionMaker::reword(QAction* action, const Words& words) {
 }
 
 void ActionMaker::enable(QAction* action, bool enabled, const QString& whyNot) {
-    const QString extra = enabled ? QString() : whyNot;
+    const QString why = enabled ? QString() : whyNot;
+    if (action->isEnabled() == enabled && action->property("whyNot").toString() == why) return;
     action->setEnabled(enabled);
-    if (action->property("whyNot").toString() == extra) return;  // as with most moves of a drag
-    action->setProperty("whyNot", extra);
+    action->setProperty("whyNot", why);
     describe(action);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 
+#include "app/session/calm_follower.h"
 #include "app/session/pins/curve_making.h"
 
 namespace wend {
@@ -56,8 +57,7 @@ void CurveActions::connectActions() {
         connect(action, &QAction::triggered, this,
                 onCurve([kind = kind](CurveEditing& curve) { curve.setKind(kind); }));
     connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &CurveActions::refresh);
-    connect(&m_session, &ShapeSession::frameChanged, this, &CurveActions::refresh);
+    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
 }
 
 void CurveActions::refresh() {

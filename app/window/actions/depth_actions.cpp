@@ -8,6 +8,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/depth_edits.h"
 #include "app/project/options/options.h"
+#include "app/session/calm_follower.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -50,8 +51,7 @@ DepthActions::DepthActions(ShapeSession& session, QObject* parent)
             [this] { bring(extreme(m_session.document().depth(), false) - 1); });
     connect(plain, &QAction::triggered, this, [this] { bring(0); });
     connect(number, &QAction::triggered, this, &DepthActions::askNumber);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &DepthActions::refresh);
-    connect(&m_session, &ShapeSession::frameChanged, this, &DepthActions::refresh);
+    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
     refresh();
 }
 

@@ -12,6 +12,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/free_name.h"
 #include "app/project/edits/pin_edits.h"
+#include "app/session/calm_follower.h"
 #include "app/session/pins/mirroring.h"
 #include "app/session/pins/pin_traits.h"
 #include "app/style/marks.h"
@@ -177,8 +178,7 @@ void PinActions::connectActions() {
     connect(mirrorMotion, &QAction::triggered, this, [this] { wend::mirrorMotion(m_session); });
     connect(holdThroughout, &QAction::triggered, this,
             [this] { wend::holdThroughout(m_session, selected()); });
-    connect(&m_session, &ShapeSession::pinsChanged, this, &PinActions::refresh);
-    connect(&m_session, &ShapeSession::frameChanged, this, &PinActions::refresh);
+    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
     // Another file starts with the usual meaning of a drag.
     connect(&m_session.document(), &Document::opened, this, [this] { move->setChecked(true); });
 }

@@ -25,6 +25,7 @@ constexpr int kNumbers = 22, kMarkers = 16, kLoudness = 26;  // heights of the r
 constexpr double kBand = 6;                                  // height of the cycle
 constexpr double kHandle = 5;                                // pixels around an end of the cycle, or a marker
 constexpr double kTickPixels = 64;                           // between numbers
+constexpr double kHardlyHeard = 0.03;                        // amplitude of a sound
 
 /// Returns 1, 2 or 5 times a power of ten, no less than `least`.
 double roundStep(double least) {
@@ -312,10 +313,12 @@ void TimeRuler::paintMarkers(QPainter& painter) const {
     }
 }
 
-/// Draws a line per pixel, as long as the sound is loud there.
+/// Draws a line per pixel, as long as the sound is loud there beside its loudest place: that of a quiet
+/// recording can be read, too, but not what is hardly heard.
 void TimeRuler::paintSound(QPainter& painter) const {
     const auto& peaks = m_sound.peaks();
     const double middle = soundTop() + kLoudness / 2.0;
+    const double most = std::max<double>(kHardlyHeard, *std::ranges::max_element(peaks));
     painter.setPen(Theme::of(palette()).secondText);
     const auto placeOf = [&](double x) {
         const double place = m_scale.timeAt(x) * Playback::kSecondsPerUnit / SoundTrack::kPeriod;
@@ -327,7 +330,7 @@ void TimeRuler::paintSound(QPainter& painter) const {
         const float loudest =
             *std::max_element(peaks.begin() + static_cast<std::ptrdiff_t>(from),
                               peaks.begin() + static_cast<std::ptrdiff_t>(std::min(to, peaks.size())));
-        const double half = std::max(0.5, loudest * (kLoudness / 2.0 - 2));
+        const double half = std::max(0.5, loudest / most * (kLoudness / 2.0 - 2));
         painter.drawLine(QPointF(x + 0.5, middle - half), QPointF(x + 0.5, middle + half));
     }
 }

@@ -91,8 +91,12 @@ bool sameBits(const Motion<Dim>& a, const Motion<Dim>& b) {
         return false;
     if (const auto* straight = std::get_if<Translate<Dim>>(&a.kind))
         return straight->by == std::get<Translate<Dim>>(b.kind).by;
-    if (const auto* curve = std::get_if<CurveMotion<Dim>>(&a.kind))
-        return curve->points == std::get<CurveMotion<Dim>>(b.kind).points;
+    if (const auto* curve = std::get_if<CurveMotion<Dim>>(&a.kind)) {
+        const auto& other = std::get<CurveMotion<Dim>>(b.kind);
+        return curve->points == other.points && curve->scale == other.scale;
+    }
+    if (const auto* field = std::get_if<FieldMotion<Dim>>(&a.kind))
+        return *field->values == *std::get<FieldMotion<Dim>>(b.kind).values;
     const auto &stroke = std::get<Recorded<Dim>>(a.kind), &other = std::get<Recorded<Dim>>(b.kind);
     return stroke.times == other.times && stroke.points == other.points;
 }
@@ -397,6 +401,14 @@ void TestKeys::randomEditsKeepTheRest() {
         CurveMotion<Dim> path;
         for (int k = 0; k < 7; ++k) path.points.push_back(Vec<Dim>::Constant(std::cos(3 * k)));
         motionsOf<Dim>(first, 2).push_back({path, 3.5, 4.5});
+        CurveMotion<Dim> grows;
+        grows.points.assign(4, Vec<Dim>::Constant(3));
+        grows.scale = 1.5;
+        FieldMotion<Dim> field;
+        field.values = std::make_shared<const Displacements<Dim>>(
+            Displacements<Dim>{{3, Vec<Dim>::Unit(0)}, {7, Vec<Dim>::Unit(1)}});
+        motionsOf<Dim>(first, 1).push_back({grows, 3, 5, Ease::InOut});
+        motionsOf<Dim>(first, 1).push_back({field, 5.5, 7, Ease::Out});
         file.project = std::make_shared<const Project>(first);
         document.open(std::move(file));
         const std::string text = toJson(*document.project());

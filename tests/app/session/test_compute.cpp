@@ -63,6 +63,7 @@ class TestCompute : public QObject {
     void cancelGoesBack_data();
     void cancelGoesBack();
     void firstMeshIsCancelled();
+    void firstMotionIsCancelled();
     void playbackWaitsForWhatIsComputed();
     void whatIsGoneIsNotSelected();
     void velocitiesWaitForRequests();
@@ -539,6 +540,30 @@ void TestCompute::firstMeshIsCancelled() {
     QVERIFY(settle(*m_session));
     QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
+}
+
+/// A change before the first motion is complete leaves the mesh as it is: what is cancelled is the motion.
+void TestCompute::firstMotionIsCancelled() {
+    OpenedFile file = openFile(writeCutOut(*m_folder));
+    auto project = copyOf(*file.project);
+    for (const double x : {40.0, 200.0}) {
+        Handle<2> handle;
+        handle.at = std::vector<Vec<2>>{{x, 80}};
+        handle.motions = {{Translate<2>{{0, x / 4}}, 0, 60}};
+        designOf<2>(*project).handles.push_back(handle);
+    }
+    endOf(*project) = 60;
+    file.project = project;
+    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    m_session->document().open(std::move(file));
+    QVERIFY(QTest::qWaitFor([this] { return m_session->frame() && !m_session->isMeshing(); }, 60000));
+    if (!m_session->isBusy()) QSKIP("the motion is complete already");
+    auto next = copyOf(*m_session->document().project());
+    std::get<Translate<2>>(designOf<2>(*next).handles[0].motions[0].kind).by.y() = 5;
+    m_session->document().change(QStringLiteral("Move"), next);
+    QVERIFY(m_session->isMeshing());
+    m_session->cancelWork();
+    QVERIFY(problems.last().first().toString().contains(QStringLiteral("motion")));
 }
 
 void TestCompute::whatIsGoneIsNotSelected() {

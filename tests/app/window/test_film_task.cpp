@@ -77,6 +77,7 @@ class TestFilmTask : public QObject {
     void show(double time);
     Vec<2> pin(int handle);
     void pose(int handle, const QPoint& by);
+    void poseLive(int handle, const QPoint& by);
     void type(QAbstractSpinBox& box, const QString& text);
     void openSample();
     void setPoses();
@@ -130,6 +131,20 @@ void TestFilmTask::pose(int handle, const QPoint& by) {
     drag(canvas(), from, from + by);
 }
 
+/// The same; the dragged shape is seen until the exact one is there.
+void TestFilmTask::poseLive(int handle, const QPoint& by) {
+    const QPoint from = canvas().toWidget(pin(handle)).toPoint();
+    QTest::mouseMove(&canvas(), from);
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas(), from + by * i / 6);
+    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + by);
+    QVERIFY(session().isBusy() && session().frame()->live && !session().isStale());
+    QCOMPARE(session().frame()->time, session().playback().time());
+    QVERIFY(settle(session()));
+    QVERIFY(!session().frame()->live);
+}
+
 void TestFilmTask::type(QAbstractSpinBox& box, const QString& text) {
     box.setFocus();
     box.selectAll();
@@ -172,7 +187,7 @@ void TestFilmTask::setPoses() {
     QVERIFY((before - rest).norm() > 20 && (after - before).norm() > 20);
     show(1.5);
     const Vec<2> between = pin(kLeftFoot);
-    pose(kLeftFoot, {-30, 0});
+    poseLive(kLeftFoot, {-30, 0});
     QCOMPARE(keys(kLeftFoot).size(), 5U);
     QVERIFY((pin(kLeftFoot) - between).norm() > 10);
     QVERIFY(placeAt(first) == before);
