@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/decompositions.h"
 #include "core/mesh/shape_size.h"
 #include "core/solver/welded_components.h"
@@ -160,10 +161,44 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     return result;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                       \
-    template std::vector<int> cellComponents(const SimplicialMesh<Dim>&);                           \
-    template std::vector<bool> wellConstrained(const SimplicialMesh<Dim>&, const std::vector<int>&, \
-                                               const std::vector<ConstraintRow>&, const SliderSet<Dim>&);
+template <int Dim>
+std::vector<LooseGroup> looseGroups(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
+                                    const std::vector<bool>& held, const std::vector<ConstraintRow>& rows,
+                                    const SliderSet<Dim>& sliders) {
+    const auto ofVertex = componentsOfVertices(mesh, components);
+    DisjointSets sets(static_cast<int>(held.size()));
+    for (const Weld& weld : mesh.welds)
+        if (const auto between = componentsOfWeld(weld, ofVertex)) sets.join((*between)[0], (*between)[1]);
+    for (const std::vector<int>& shared : ofVertex)  // where parts touch at a vertex
+        for (const int component : shared) sets.join(shared.front(), component);
+    std::vector<LooseGroup> groups(held.size());
+    std::vector<bool> isLoose(held.size(), true);
+    for (std::size_t c = 0; c < held.size(); ++c)
+        if (held[c]) isLoose[static_cast<std::size_t>(sets.root(static_cast<int>(c)))] = false;
+    for (const auto& slider : sliders.vertices())
+        for (const int component : ofVertex[slider.vertex])
+            isLoose[static_cast<std::size_t>(sets.root(component))] = false;
+    const auto groupOf = [&](int vertex) {
+        return static_cast<std::size_t>(sets.root(ofVertex[vertex].front()));
+    };
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        if (!ofVertex[v].empty()) groups[groupOf(v)].vertices.push_back(v);
+    for (int r = 0; r < static_cast<int>(rows.size()); ++r)
+        if (const int vertex = rows[r].terms.front().first; !ofVertex[vertex].empty())
+            groups[groupOf(vertex)].rows.push_back(r);
+    std::vector<LooseGroup> loose;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (isLoose[g] && !groups[g].rows.empty()) loose.push_back(std::move(groups[g]));
+    return loose;
+}
+
+#define WEND_INSTANTIATE(Dim)                                                                             \
+    template std::vector<int> cellComponents(const SimplicialMesh<Dim>&);                                 \
+    template std::vector<bool> wellConstrained(const SimplicialMesh<Dim>&, const std::vector<int>&,       \
+                                               const std::vector<ConstraintRow>&, const SliderSet<Dim>&); \
+    template std::vector<LooseGroup> looseGroups(const SimplicialMesh<Dim>&, const std::vector<int>&,     \
+                                                 const std::vector<bool>&,                                \
+                                                 const std::vector<ConstraintRow>&, const SliderSet<Dim>&);
 WEND_INSTANTIATE(2)
 WEND_INSTANTIATE(3)
 

@@ -20,4 +20,16 @@ template <int Dim>
 std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
                                   const std::vector<ConstraintRow>& rows, const SliderSet<Dim>& sliders = {});
 
+/// Vertices that only move together: those of components that welds connect, of which no constraint leaves
+/// less than a rigid motion free, and the rows of theirs.
+struct LooseGroup {
+    std::vector<int> vertices, rows;
+};
+/// Returns the groups of components that are not `held` (see wellConstrained()) and have rows, but no
+/// sliders.
+template <int Dim>
+std::vector<LooseGroup> looseGroups(const SimplicialMesh<Dim>& mesh, const std::vector<int>& components,
+                                    const std::vector<bool>& held, const std::vector<ConstraintRow>& rows,
+                                    const SliderSet<Dim>& sliders = {});
+
 }  // namespace wend

@@ -103,8 +103,16 @@ template <int Dim>
 SolveOutcome VelocitySolver<Dim>::predict(const Points<Dim>& shape, const Points<Dim>& prescribed,
                                           Points<Dim>& step) {
     const auto* proximal = m_impl->proximal ? &*m_impl->proximal : nullptr;
-    return m_impl->minimizer().predict(m_impl->pace, shape, m_impl->withWelds(prescribed), proximal,
-                                       m_impl->stop, step);
+    Points<Dim> carried = Points<Dim>::Zero(Dim, shape.cols()), others = prescribed;
+    for (const LooseGroup& group : m_impl->loose) {
+        const Vec<Dim> mean = others(Eigen::all, group.rows).rowwise().mean();
+        for (const int v : group.vertices) carried.col(v) = mean;
+        for (const int row : group.rows) others.col(row) -= mean;
+    }
+    const SolveOutcome outcome = m_impl->minimizer().predict(m_impl->pace, shape, m_impl->withWelds(others),
+                                                             proximal, m_impl->stop, step);
+    if (outcome.done()) step += carried;
+    return outcome;
 }
 
 template <int Dim>

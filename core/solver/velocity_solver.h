@@ -145,7 +145,8 @@ class VelocitySolver {
 
     /// Minimize W under the constraints by Newton's method, for direct solvers only. `predict` computes the
     /// first Newton step from a shape that displaces the constrained points by `prescribed` (as for solve()):
-    /// near a minimum this is the derivative of the minimizer with respect to the constraints. `descend`
+    /// near a minimum this is the derivative of the minimizer with respect to the constraints. Components
+    /// whose constraints leave a rigid motion free are carried by the mean displacement of theirs. `descend`
     /// moves a shape that satisfies the constraints to a minimum; after an outcome that is not done the shape
     /// is the best one so far.
     SolveOutcome predict(const Points<Dim>& shape, const Points<Dim>& prescribed, Points<Dim>& step);

@@ -115,6 +115,7 @@ void VelocitySolver<Dim>::Impl::setConstraints(std::vector<ConstraintRow> newRow
     tracking.reset();
     descending.reset();
     massRegularization.clear();
+    loose = looseGroups(*rest, components, held, given, system.sliders());
     if (std::find(held.begin(), held.end(), false) != held.end())
         for (int component : components)
             massRegularization.push_back(held[component] ? 0.0 : kMassRegularization);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/assembly/rest_energy.h"
+#include "core/solver/components.h"
 #include "core/solver/conjugate_gradients.h"
 #include "core/solver/factor_cache.h"
 #include "core/solver/projection.h"
@@ -46,6 +47,7 @@ struct VelocitySolver<Dim>::Impl {
     std::optional<ProximalTerm<Dim>> proximal;
     typename RestMinimizer<Dim>::Pace pace = RestMinimizer<Dim>::Pace::Exact;  // of predict()
     std::vector<double> massRegularization;                                    // per cell, or empty
+    std::vector<LooseGroup> loose;  // an elastic shape is carried by their rows without a turn
 
     SolverStatistics statistics;
 

@@ -176,7 +176,30 @@ class TestDragFlow : public QObject {
         QCOMPARE(fieldsOf(start), 2);
     }
 
+    /// A shape that springs back fully is rigid where nothing else holds it: a pin carries it without a turn,
+    /// wherever it is, however far it is moved in one step.
+    template <int Dim>
+    void lonePinsCarryTheShape() {
+        for (const double phi : {phi::kMetr, phi::conformal(Dim)}) {
+            Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 0, phi);
+            Material<Dim> material = *bend.material;
+            material.memory = std::numeric_limits<double>::infinity();
+            bend.material = std::make_shared<const Material<Dim>>(material);
+            bend.handles.resize(1);
+            bend.handles[0].at = std::vector<Vec<Dim>>{Vec<Dim>::Constant(0.3)};  // near an end
+            auto flow = flowOf(bend);
+            Vec<Dim> by = Vec<Dim>::Zero();
+            for (const auto& [x, y] : {std::pair{0.1, 0.05}, {2.0, 1.5}, {-1.0, 3.0}, {0.02, -0.04}}) {
+                QCOMPARE(flow.lead({0}, shift<Dim>(x, y)).done, 1.0);
+                by[0] += x, by[1] += y;
+                QVERIFY(distance(flow.pose(), bend.mesh->points.colwise() + by) < 1e-9);
+            }
+        }
+    }
+
   private slots:
+    void lonePinsCarryTheShape2() { lonePinsCarryTheShape<2>(); }
+    void lonePinsCarryTheShape3() { lonePinsCarryTheShape<3>(); }
     /// A pause of a second would be seen: the factor of a large solid serves as long as it does at all.
     void dearFactorsWait() {
         const Bend<3> bend(40, 12, 4, 0);
