@@ -51,6 +51,12 @@ double numberOr(std::string_view word, double otherwise) {
     return done.ec == std::errc() ? value : otherwise;
 }
 
+/// Returns the place of a number of the file, which counts from 1, or back from what precedes it; none is 0.
+std::int64_t placeOf(std::string_view text, std::int64_t count) {
+    const auto number = static_cast<std::int64_t>(numberOr(text, 0));
+    return number < 0 ? count + number : number - 1;
+}
+
 /// Returns the file name in "map_Kd -s 1 1 1 wood.png": options precede the name, which may contain blanks if
 /// there are none.
 std::string textureName(std::string_view rest) {
@@ -167,11 +173,8 @@ class LookReader {
         const auto text = slash == std::string_view::npos
                               ? std::string_view()
                               : corner.substr(slash + 1, corner.find('/', slash + 1) - slash - 1);
-        int number = 0;
-        std::from_chars(text.data(), text.data() + text.size(), number);
-        const int count = static_cast<int>(m_uv.size() / 2);
-        if (number == 0) m_withoutTexture = true;
-        return number < 0 ? count + number : number - 1;
+        if (numberOr(text, 0) == 0) m_withoutTexture = true;
+        return static_cast<int>(placeOf(text, std::ssize(m_uv) / 2));
     }
     void takeLabels() {
         const bool byMaterial = m_skin.materials.size() > 1;
@@ -241,12 +244,6 @@ class TurnedNormals {
     }
 
   private:
-    /// Returns the place of a number of the file, which counts from 1, or back from what precedes it.
-    static std::int64_t placeOf(std::string_view text, std::int64_t count) {
-        const auto number = static_cast<std::int64_t>(numberOr(text, 0));
-        return number < 0 ? count + number : number - 1;
-    }
-
     std::vector<Eigen::Quaterniond> m_turns;
     std::vector<Eigen::Vector3d> m_normals;
     std::int64_t m_passed = 0;
