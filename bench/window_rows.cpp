@@ -68,15 +68,14 @@ class OwnSettings {
 };
 
 /// Returns handles for both ends, which hold the shape.
-template <int Dim>
-std::vector<Handle<Dim>> ends(double length) {
-    std::vector<Handle<Dim>> handles(2);
+std::vector<Pin> ends(double length) {
+    std::vector<Pin> handles(2);
     for (const int side : {0, 1}) {
-        HalfSpace<Dim> half{Vec<Dim>::Zero(), Vec<Dim>::Zero()};
+        HalfSpace<3> half{Vec3::Zero(), Vec3::Zero()};
         half.point.x() = (side ? 1 - 1e-9 : 1e-9) * length;
         half.normal.x() = side ? 1 : -1;
         handles[static_cast<std::size_t>(side)].name = side ? "right" : "left";
-        handles[static_cast<std::size_t>(side)].at = Region<Dim>(half);
+        handles[static_cast<std::size_t>(side)].at = Region<3>(half);
     }
     return handles;
 }
@@ -87,9 +86,9 @@ struct Kept {
     double phi;
     bool elastic = false;
 
-    template <int Dim>
-    Design<Dim> design() const {
-        Design<Dim> design;
+    Design design(int dimension) const {
+        Design design;
+        design.dimension = dimension;
         design.material.phi = phi;
         if (elastic) design.material.memory = std::numeric_limits<double>::infinity();
         return design;
@@ -119,13 +118,13 @@ OpenedFile fileOfParts(int vertices, const OwnSettings& settings) {
         PicturePart& limb = add("limb " + std::to_string(k), kLimbWidth, kLimbHeight, at);
         limb.joints.push_back({"trunk", at + Vec<2>(0.5 * kLimbWidth, 0.5 * kLimbHeight)});
     }
-    Design<2> design;
+    Design design;
     design.material.phi = phi::kMetr;
     design.handles.resize(2);
     design.handles[0].name = design.handles[0].part = "trunk";
-    design.handles[0].at = Region<2>(Ball<2>{{300, 750}, 120});
+    design.handles[0].at = Region<3>(Ball<3>{{300, 750, 0}, 120});
     design.handles[1].name = design.handles[1].part = domain.parts.front().name;
-    design.handles[1].at = std::vector<Vec<2>>{{2370, 750}};
+    design.handles[1].at = std::vector<Vec3>{{2370, 750, 0}};
     designOf(*project) = std::move(design);
     OpenedFile file;
     file.project = std::move(project);
@@ -140,8 +139,8 @@ template <>
 OpenedFile fileOf<2>(int vertices, const Kept& kept, const OwnSettings&) {
     auto project = newProject();
     domainOf(*project).vertices = vertices;
-    auto design = kept.design<2>();
-    design.handles = ends<2>(kPictureWidth);
+    Design design = kept.design(2);
+    design.handles = ends(kPictureWidth);
     designOf(*project) = std::move(design);
     OpenedFile file;
     file.project = std::move(project);
@@ -157,8 +156,8 @@ OpenedFile fileOf<3>(int vertices, const Kept& kept, const OwnSettings& settings
     domain.kind = DomainKind::Mesh;
     domain.path = settings.file("body.vtu").toStdString();
     writeMesh<3>(domain.path, *body.rest);
-    auto design = kept.design<3>();
-    design.handles = ends<3>(body.rest->points.row(0).maxCoeff());
+    Design design = kept.design(3);
+    design.handles = ends(body.rest->points.row(0).maxCoeff());
     designOf(*project) = std::move(design);
     OpenedFile file;
     file.project = std::move(project);
@@ -166,24 +165,23 @@ OpenedFile fileOf<3>(int vertices, const Kept& kept, const OwnSettings& settings
 }
 
 /// Lets the right end and two points between the ends move in bars that overlap.
-template <int Dim>
 void addFilm(Project& project) {
-    Design<Dim>& design = designOf<Dim>(project);
+    Design& design = designOf(project);
     endOf(project) = kFilm;
-    const Vec<Dim> middle(0.5 * kPictureWidth, 0.5 * kPictureHeight);
+    const Vec3 middle(0.5 * kPictureWidth, 0.5 * kPictureHeight, 0);
     for (const double side : {-0.2, 0.2}) {
-        Handle<Dim> handle;
+        Pin handle;
         handle.name = side < 0 ? "first" : "second";
-        handle.at = std::vector<Vec<Dim>>{middle + Vec<Dim>(side * kPictureWidth, 0)};
+        handle.at = std::vector<Vec3>{middle + Vec3(side * kPictureWidth, 0, 0)};
         design.handles.push_back(handle);
     }
     for (std::size_t i = 1; i < design.handles.size(); ++i) {
         const double delay = 0.3 * static_cast<double>(i - 1);
         for (int k = 0; k < 3; ++k) {
             const double angle = 2.1 * k + static_cast<double>(i);
-            const Vec<Dim> by = 0.1 * kPictureHeight * Vec<Dim>(std::cos(angle), std::sin(angle));
+            const Vec3 by = 0.1 * kPictureHeight * Vec3(std::cos(angle), std::sin(angle), 0);
             design.handles[i].motions.push_back(
-                {Translate<Dim>{by}, delay + 1.1 * k, delay + 1.1 * (k + 1), Ease::InOut});
+                {Translate<3>{by}, delay + 1.1 * k, delay + 1.1 * (k + 1), Ease::InOut});
         }
     }
 }
@@ -237,7 +235,7 @@ class Stage {
     /// Plays a film with motions that overlap, and sets a pose of the right end at a time.
     void makeFilm() {
         const auto film = copyOf(*session().document().project());
-        addFilm<Dim>(*film);
+        addFilm(*film);
         session().document().change({}, film);
         m_window.tools().setMode(Mode::Animate);
         wait();

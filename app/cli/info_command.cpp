@@ -215,22 +215,20 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
     return json;
 }
 
-template <int Dim>
-Json handlesInfo(const Design<Dim>& design) {
+Json handlesInfo(const Design& design) {
     static const char* const places[] = {"vertices", "points", "region"};
     static const char* const kinds[] = {"translate", "rotate", "curve", "recorded", "field", "poses"};
     Json handles = Json::array();
-    for (const Handle<Dim>& handle : design.handles) {
+    for (const Pin& handle : design.handles) {
         Json motions = Json::array();
-        for (const Motion<Dim>& motion : handle.motions) motions.push_back(kinds[motion.kind.index()]);
+        for (const PinMotion& motion : handle.motions) motions.push_back(kinds[motion.kind.index()]);
         handles.push_back({{"name", handle.name}, {"at", places[handle.at.index()]}, {"motion", motions}});
     }
     return handles;
 }
 
-template <int Dim>
-void addDesign(Json& json, const Design<Dim>& design) {
-    const std::string name = nameOfPhi(design.material.phi, Dim);
+void addDesign(Json& json, const Design& design) {
+    const std::string name = nameOfPhi(design.material.phi, design.dimension);
     json["phi"] = name.empty() ? Json(design.material.phi) : Json(name);
     json["regions"] = design.material.regions.size();
     json["handles"] = handlesInfo(design);
@@ -292,7 +290,7 @@ Json projectInfo(const std::string& path) {
               {"dimension", dimensionOf(project)},
               {"domain", domainInfo(domain)},
               {"end", endOf(project)}};
-    std::visit([&](const auto& design) { addDesign(json, design); }, designOf(project));
+    addDesign(json, designOf(project));
     json["warnings"] = loaded.warnings;
     addMissing(domain, folderOf(path), json);
     return json;

@@ -61,7 +61,7 @@ std::shared_ptr<Project> domainOnly(DomainKind kind, const std::string& path) {
     auto project = newProject();
     domainOf(*project).kind = kind;
     domainOf(*project).path = path;
-    if (kind == DomainKind::Surface) designOf(*project) = Design<3>{};
+    if (kind == DomainKind::Surface) designOf(*project).dimension = 3;
     return project;
 }
 
@@ -102,7 +102,7 @@ Meshed meshOf(const Input& input, const std::string& path, std::stop_token stop)
     if (lowerExtension(path) == ".json") {
         Meshed meshed;
         const Domain& domain = domainOf(project);
-        const auto rest = meshPicture(domain, designOf<2>(project), domain.polygons, stop);
+        const auto rest = meshPicture(domain, designOf(project), domain.polygons, stop);
         tellOfAim(domain, *rest, meshed.notices);
         tellOfHanging<2>(*rest, meshed.notices);
         meshed.file = toMeshFile<2>(*rest);

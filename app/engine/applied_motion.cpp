@@ -12,9 +12,10 @@ namespace wend {
 namespace {
 
 template <int Dim>
-std::vector<Handle<Dim>> ownHandles(const Project& project, const Shape<Dim>& shape) {
-    std::vector<Handle<Dim>> handles = heldHandles<Dim>(project, shape);
-    handles.resize(designOf<Dim>(project).handles.size());
+std::vector<Pin> ownHandles(const Project& project, const Shape<Dim>& shape) {
+    std::vector<Pin> handles;
+    for (const Handle<Dim>& handle : heldHandles<Dim>(project, shape)) handles.push_back(inSpace(handle));
+    handles.resize(designOf(project).handles.size());
     return handles;
 }
 
@@ -31,8 +32,8 @@ TransferredMotion withMotionOf(const std::string& source, const Project& target,
     const AnyShape shape = loadShape(target, folder, stop);
     const auto transfer = [&]<int Dim>(const Shape<Dim>& own) {
         const auto theirs = std::get<Shape<Dim>>(loadShape(*other.project, folderOf(source), stop));
-        return withMotionOf<Dim>({*other.project, *theirs.rest, ownHandles<Dim>(*other.project, theirs)},
-                                 {target, *own.rest, ownHandles<Dim>(target, own)}, folder);
+        return withMotionOf<Dim>({*other.project, *theirs.rest, ownHandles(*other.project, theirs)},
+                                 {target, *own.rest, ownHandles(target, own)}, folder);
     };
     try {
         return std::visit(transfer, shape);

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <string>
 
-#include "app/project/edits/motion_transfer.h"
+#include "app/engine/motion_transfer.h"
 
 namespace wend {
 

@@ -90,20 +90,17 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
             if (!surface.empty())
                 for (const std::string& file : lookFilesOf(pathIn(folder, surface)))
                     inputs.push_back({OwnFile::Look, file});
-    std::visit(
-        [&](const auto& own) {
-            add(OwnFile::Material, own.material.cellsFile);
-            for (const auto& handle : own.handles) {
-                if (handle.slide) add(OwnFile::Mesh, handle.slide->file);
-                for (const auto& motion : handle.motions)
-                    if (const std::string* file = fileOf(motion.kind)) add(OwnFile::Motion, *file);
-            }
-            for (const auto& region : own.material.regions)
-                for (const std::string& file :
-                     {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
-                    add(OwnFile::Material, file);
-        },
-        project.design);
+    const Design& own = project.design;
+    add(OwnFile::Material, own.material.cellsFile);
+    for (const Pin& handle : own.handles) {
+        if (handle.slide) add(OwnFile::Mesh, handle.slide->file);
+        for (const PinMotion& motion : handle.motions)
+            if (const std::string* file = fileOf(motion.kind)) add(OwnFile::Motion, *file);
+    }
+    for (const MaterialRegion& region : own.material.regions)
+        for (const std::string& file :
+             {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
+            add(OwnFile::Material, file);
     return inputs;
 }
 

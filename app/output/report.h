@@ -15,7 +15,7 @@ struct HandleReach {
     std::string name;
     double share = 1;
 };
-std::vector<HandleReach> reachedAt(const AnyDesign& design, double time);
+std::vector<HandleReach> reachedAt(const Design& design, double time);
 /// "handle "hand" reaches only 60 % of its motion …" for a project that ends before its motions do; else
 /// empty.
 std::string fallsShort(const Project& project);

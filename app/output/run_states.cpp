@@ -57,33 +57,33 @@ std::string materialDigest(const Material<Dim>& material) {
     return digest.text();
 }
 
-template <int Dim>
-void addSurfaces(const Design<Dim>& design, Digest& digest) {
-    for (const Handle<Dim>& handle : design.handles) {
+void addSurfaces(const Design& design, Digest& digest) {
+    for (const Pin& handle : design.handles) {
         if (!handle.slide || !handle.slide->mesh) continue;
-        const GuideMesh<Dim>& mesh = *handle.slide->mesh;
-        digest.add(std::span<const double>(mesh.points.data(), static_cast<std::size_t>(mesh.points.size())));
+        const GuideMesh<3>& mesh = *handle.slide->mesh;
+        const Eigen::MatrixXd points = mesh.points.topRows(design.dimension);
+        digest.add(std::span<const double>(points.data(), static_cast<std::size_t>(points.size())));
         for (const auto& triangle : mesh.triangles) digest.add(std::span<const int>(triangle));
         for (const auto& segment : mesh.segments) digest.add(std::span<const int>(segment));
     }
 }
 
 /// Adds the contents of the files that motions are read from.
-template <int Dim>
-void addMotionFiles(const Design<Dim>& design, Digest& digest) {
-    for (const Handle<Dim>& handle : design.handles)
-        for (const Motion<Dim>& motion : handle.motions) {
-            if (const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind))
+void addMotionFiles(const Design& design, Digest& digest) {
+    const auto d = static_cast<std::size_t>(design.dimension);
+    for (const Pin& handle : design.handles)
+        for (const PinMotion& motion : handle.motions) {
+            if (const auto* field = std::get_if<FieldMotion<3>>(&motion.kind))
                 for (const auto& [vertex, displacement] : *field->values) {
                     digest.add(std::span<const int>(&vertex, 1));
-                    digest.add(std::span<const double>(displacement.data(), Dim));
+                    digest.add(std::span<const double>(displacement.data(), d));
                 }
-            if (const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind)) {
+            if (const auto* poses = std::get_if<PoseMotion<3>>(&motion.kind)) {
                 digest.add(std::span<const double>(poses->times));
-                for (const RigidPose<Dim>& pose : poses->poses) {
-                    digest.add(std::span<const double>(pose.position.data(), Dim));
-                    digest.add(std::span<const double>(pose.rotation.data(),
-                                                       static_cast<std::size_t>(pose.rotation.size())));
+                for (const RigidPose<3>& pose : poses->poses) {
+                    digest.add(std::span<const double>(pose.position.data(), d));
+                    digest.add(d == 2 ? std::span<const double>(&pose.rotation[2], 1)
+                                      : std::span<const double>(pose.rotation.data(), 3));
                 }
             }
         }
@@ -95,12 +95,8 @@ std::string handlesDigest(const Project& project, const SortedJson& json) {
         for (const char* seen : {"name", "locked", "hidden", "group", "link", "colour"}) handle.erase(seen);
     Digest digest;
     digest.add(handles.dump() + std::to_string(static_cast<int>(domainOf(project).border)));
-    std::visit(
-        [&](const auto& design) {
-            addMotionFiles(design, digest);
-            addSurfaces(design, digest);
-        },
-        designOf(project));
+    addMotionFiles(designOf(project), digest);
+    addSurfaces(designOf(project), digest);
     return digest.text();
 }
 

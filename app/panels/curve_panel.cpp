@@ -101,7 +101,7 @@ void CurvePanel::allowTurning(bool allow) {
 /// The last one that has begun, or the first.
 template <int Dim>
 int CurvePanel::shownMotion() const {
-    const auto& motions = m_session.document().design<Dim>().handles[single()].motions;
+    const auto& motions = m_session.document().design().handles[single()].motions;
     int shown = motions.empty() ? -1 : 0;
     for (int i = 0; i < static_cast<int>(motions.size()); ++i)
         if (motions[i].start < m_session.playback().time()) shown = i;
@@ -122,8 +122,8 @@ void CurvePanel::change() {
 
 template <int Dim>
 void CurvePanel::changeOf() {
-    Design<Dim> next = m_session.document().design<Dim>();
-    CurveMotion<Dim>* curve = lastCurve(next, single());
+    Design next = m_session.document().design();
+    CurveMotion<3>* curve = lastCurve(next, single());
     if (!curve) return;
     // Unchanged fields keep their exact value.
     const double twist = m_twist->exact();
@@ -144,12 +144,12 @@ void CurvePanel::showCurve() {
 
 template <int Dim>
 void CurvePanel::show() {
-    const CurveMotion<Dim>* curve = lastCurve(m_session.document().design<Dim>(), single());
+    const CurveMotion<3>* curve = lastCurve(m_session.document().design(), single());
     const bool canMake = !curve && canMakeCurve(m_session);
     const int motion = shownMotion<Dim>();
     setVisible(motion >= 0);
     if (motion >= 0) {
-        const Ease ease = m_session.document().design<Dim>().handles[single()].motions[motion].ease;
+        const Ease ease = m_session.document().design().handles[single()].motions[motion].ease;
         m_ease->setCurrentIndex(static_cast<int>(std::ranges::find(kEases, ease) - kEases.begin()));
     }
     m_curve->setVisible(curve);

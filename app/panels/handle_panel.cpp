@@ -86,7 +86,7 @@ std::optional<Vec<3>> HandlePanel::middle() const {
     for (const auto& pin : m_session.pins<Dim>(true))
         if (m_session.selection().contains(pin.handle)) centres.push_back(pin.centre);
     if (centres.empty()) return {};
-    return amountOf<Dim>(meanOf<Dim>(centres));
+    return inSpace(meanOf<Dim>(centres));
 }
 
 /// Places the numbers: in the plane beside the kind of step, in space in a row of their own.

@@ -26,14 +26,14 @@ QIcon rimmed(const QPixmap& swatch) {
 }  // namespace
 
 template <int Dim>
-QIcon layerSwatch(const MaterialPaint<Dim>& paint) {
+QIcon layerSwatch(const MaterialPaint& paint) {
     QPixmap pixmap(kLayerSwatch, kLayerSwatch);
     pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, Dim)) : kStiffColour);
     return rimmed(pixmap);
 }
 
-template QIcon layerSwatch<2>(const MaterialPaint<2>&);
-template QIcon layerSwatch<3>(const MaterialPaint<3>&);
+template QIcon layerSwatch<2>(const MaterialPaint&);
+template QIcon layerSwatch<3>(const MaterialPaint&);
 
 QIcon graySwatch() {
     QPixmap pixmap(kLayerSwatch, kLayerSwatch);

@@ -20,8 +20,7 @@ namespace {
 constexpr int kGroup = Qt::UserRole;      // the name of an item's regions
 constexpr int kCells = Qt::UserRole + 1;  // marks the values per cell
 
-template <int Dim>
-bool hasCells(const MaterialSpec<Dim>& material) {
+bool hasCells(const MaterialSpec& material) {
     return !(material.cellsFile.empty() && material.cellPhi.empty() && material.cellB.empty());
 }
 
@@ -172,9 +171,7 @@ void LayerPanel::connectControls() {
         if (auto next = withGroupMergedDown(m_session.document().design(), selected()))
             changeBy(tr("Merge layers"), *std::move(next));
     });
-    const auto changeMaterial = [this] {
-        m_session.document().dimension() == 2 ? changePaint<2>() : changePaint<3>();
-    };
+    const auto changeMaterial = [this] { changePaint(); };
     connect(m_hasPhi, &QCheckBox::clicked, this, changeMaterial);
     connect(m_phi, &EnergySlider::phiChosen, this, changeMaterial);
     connect(m_ratio, &QDoubleSpinBox::valueChanged, this, changeMaterial);
@@ -195,7 +192,7 @@ void LayerPanel::setPictureMenu(QMenu* menu) {
 
 /// Applies a changed name or visibility.
 void LayerPanel::takeItem(QListWidgetItem* item) {
-    const AnyDesign& design = m_session.document().design();
+    const Design& design = m_session.document().design();
     const std::string before = item->data(kGroup).toString().toStdString();
     const std::string wish = item->text().trimmed().toStdString();
     const bool hidden = item->checkState() == Qt::Unchecked;
@@ -222,7 +219,7 @@ void LayerPanel::takeOrder(int from, int to) {
 }
 
 void LayerPanel::remove() {
-    const AnyDesign& design = m_session.document().design();
+    const Design& design = m_session.document().design();
     changeBy(tr("Remove layer"), isCells() ? withoutCells(design) : withoutGroup(design, selected()));
 }
 
@@ -235,7 +232,7 @@ std::string LayerPanel::selected() const {
     return item ? item->data(kGroup).toString().toStdString() : std::string();
 }
 
-void LayerPanel::changeBy(const QString& step, AnyDesign next, const QString& key) {
+void LayerPanel::changeBy(const QString& step, Design next, const QString& key) {
     if (m_session.document().isEmpty()) return;
     m_session.document().changeDesign(step, std::move(next), key);
 }
@@ -249,8 +246,7 @@ void LayerPanel::showValues() {
         button->setVisible(m_list->count() > 0);
         allow(button, has, chooseFirst());
     }
-    if (has && m_session.document().dimension() == 2) showGroup<2>();
-    if (has && m_session.document().dimension() == 3) showGroup<3>();
+    if (has) showGroup();
     if (isCells()) showCells();
     allowOrder(has);
     tellChosen();
@@ -293,7 +289,7 @@ void LayerPanel::hideEvent(QHideEvent* event) {
 
 template <int Dim>
 void LayerPanel::fill() {
-    const Design<Dim>& design = m_session.document().design<Dim>();
+    const Design& design = m_session.document().design();
     const auto groups = regionGroups(design);
     int row = 0;
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {

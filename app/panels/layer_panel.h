@@ -61,11 +61,9 @@ class LayerPanel : public QWidget {
     QListWidgetItem* itemAt(int row);
     template <int Dim>
     void fill();
-    template <int Dim>
     void showGroup();
-    template <int Dim>
     void changePaint();
-    void changeBy(const QString& step, AnyDesign next, const QString& key = {});
+    void changeBy(const QString& step, Design next, const QString& key = {});
     std::string selected() const;
     void tellChosen();
 

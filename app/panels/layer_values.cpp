@@ -18,27 +18,25 @@
 namespace wend {
 
 /// A change that would empty the layer is ignored.
-template <int Dim>
 void LayerPanel::changePaint() {
-    MaterialPaint<Dim> paint;
+    MaterialPaint paint;
     if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
-    Vec<Dim> axis;
-    for (int k = 0; k < Dim; ++k) axis[k] = m_axis[k]->exact();
-    if (axis.isZero(0)) axis = Vec<Dim>::UnitX();
+    Vec3 axis = Vec3::Zero();
+    for (int k = 0; k < m_session.document().dimension(); ++k) axis[k] = m_axis[k]->exact();
+    if (axis.isZero(0)) axis = Vec3::UnitX();
     if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // unit vectors keep their bits
-    if (m_ratio->exact() != 1) paint.stiffness = Stiffness<Dim>{axis, m_ratio->exact()};
+    if (m_ratio->exact() != 1) paint.stiffness = Stiffness{axis, m_ratio->exact()};
     if (!paint.phi && !paint.stiffness) return showValues();
     m_phi->setEnabled(paint.phi.has_value());
-    changeBy(tr("Change layer"),
-             withGroupPaint<Dim>(m_session.document().design<Dim>(), selected(), paint, m_ownAxes),
+    changeBy(tr("Change layer"), withGroupPaint(m_session.document().design(), selected(), paint, m_ownAxes),
              QStringLiteral("layer ") + QString::fromStdString(selected()));
 }
 
-template <int Dim>
 void LayerPanel::showGroup() {
-    for (const RegionGroup<Dim>& group : regionGroups(m_session.document().design<Dim>())) {
+    const int dimension = m_session.document().dimension();
+    for (const RegionGroup& group : regionGroups(m_session.document().design())) {
         if (group.name != selected()) continue;
-        m_phi->setDimension(Dim);
+        m_phi->setDimension(dimension);
         m_hasPhi->setChecked(group.paint.phi.has_value());
         m_phi->setEnabled(group.paint.phi.has_value());
         if (group.paint.phi) m_phi->setPhi(*group.paint.phi);
@@ -46,9 +44,9 @@ void LayerPanel::showGroup() {
         allowDirection(group.paint.stiffness && group.paint.stiffness->ratio != 1);
         m_ownAxes = !group.oneAxis;
         m_axisNote->setVisible(m_ownAxes);
-        const Vec<Dim> axis = group.axis.value_or(Vec<Dim>::UnitX());
-        for (int k = 0; k < 3; ++k) m_axis[k]->setVisible(k < Dim);
-        for (int k = 0; k < Dim; ++k) m_axis[k]->put(axis[k]);
+        const Vec3 axis = group.axis.value_or(Vec3::UnitX());
+        for (int k = 0; k < 3; ++k) m_axis[k]->setVisible(k < dimension);
+        for (int k = 0; k < dimension; ++k) m_axis[k]->put(axis[k]);
         m_feather->put(group.feather);
         showPictures(group.pictures);
     }
@@ -88,8 +86,7 @@ void LayerPanel::showPictures(const MaterialPictures& pictures) {
 }
 
 void LayerPanel::showCells() {
-    const std::string file = std::visit([](const auto& design) { return design.material.cellsFile; },
-                                        m_session.document().design());
+    const std::string& file = m_session.document().design().material.cellsFile;
     m_files->setText(file.empty()
                          ? tr("As the project's file says, cell by cell.")
                          : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
@@ -98,10 +95,5 @@ void LayerPanel::showCells() {
     m_readAgain->hide();
     m_featherRow->hide();
 }
-
-template void LayerPanel::changePaint<2>();
-template void LayerPanel::changePaint<3>();
-template void LayerPanel::showGroup<2>();
-template void LayerPanel::showGroup<3>();
 
 }  // namespace wend

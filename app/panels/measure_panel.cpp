@@ -107,7 +107,7 @@ void MeasurePanel::showSizes() {
     m_whole->setText(text(tr("The whole"), sizeOf(*frame, frame->pose), sizeOf(*frame, frame->rest->points)));
     std::vector<int> held;
     for (const int handle : m_session.selection().handles())
-        if (handle < static_cast<int>(m_session.document().design<3>().handles.size()))
+        if (handle < static_cast<int>(m_session.document().design().handles.size()))
             for (const int v : m_session.verticesOf(handle)) held.push_back(v);
     m_part->setVisible(!held.empty());
     if (held.empty()) return;

@@ -156,12 +156,10 @@ void PinList::showPins() {
     std::vector<int> groups;
     std::vector<std::string> names;
     if (!m_session.document().isEmpty()) {
-        const AnyDesign& design = m_session.document().design();
+        const Design& design = m_session.document().design();
         names = groupNames(design);
-        const auto count = std::visit([](const auto& own) { return own.handles.size(); }, design);
-        for (std::size_t h = 0; h < count; ++h) {
-            const auto at =
-                std::find(names.begin(), names.end(), traitsOf(design, static_cast<int>(h)).group);
+        for (const Pin& handle : design.handles) {
+            const auto at = std::ranges::find(names, handle.traits.group);
             groups.push_back(at == names.end() ? -1 : static_cast<int>(at - names.begin()));
         }
     }
@@ -201,14 +199,11 @@ QTreeWidgetItem* PinList::newRow(QTreeWidgetItem* heading) {
 }
 
 void PinList::showRow(int handle) {
-    const AnyDesign& design = m_session.document().design();
+    const Design& design = m_session.document().design();
     QTreeWidgetItem& item = *m_rows[static_cast<std::size_t>(handle)];
-    const auto [name, holds] = std::visit(
-        [&](const auto& all) {
-            const auto& own = all.handles[static_cast<std::size_t>(handle)];
-            return std::pair(QString::fromStdString(own.name), isActive(own, m_session.playback().time()));
-        },
-        design);
+    const Pin& own = design.handles[static_cast<std::size_t>(handle)];
+    const QString name = QString::fromStdString(own.name);
+    const bool holds = isActive(own, m_session.playback().time());
     const HandleTraits& traits = traitsOf(design, handle);
     if (item.text(Name) != name) item.setText(Name, name);
     const QColor colour = pinColour(handle, traits);
@@ -231,7 +226,7 @@ void PinList::showRow(int handle) {
 
 /// Bold while something of it is selected, which may be folded away.
 void PinList::showHeading(QTreeWidgetItem& item, const QString& group) {
-    const AnyDesign& design = m_session.document().design();
+    const Design& design = m_session.document().design();
     const auto handles = handlesOfGroup(design, group.toStdString());
     const auto all = [&](auto test) { return std::all_of(handles.begin(), handles.end(), test); };
     if (item.text(Name) != group) item.setText(Name, group);
@@ -301,9 +296,8 @@ void PinList::later(const std::function<void()>& change) {
 void PinList::renamePin(int handle, const std::string& name) {
     if (handle >= m_session.handleCount() || name.empty()) return;
     Document& document = m_session.document();
-    const std::string before = std::visit(
-        [handle](const auto& design) { return design.handles.at(handle).name; }, document.design());
-    if (name != before) renameHandle(document, tr("Rename"), handle, name);
+    if (name != document.design().handles.at(static_cast<std::size_t>(handle)).name)
+        renameHandle(document, tr("Rename"), handle, name);
 }
 
 /// A click on a sign applies to all that is selected, if its row is.

@@ -109,7 +109,7 @@ void RegionList::change(const QString& step, const Edit& edit, const QString& ke
     Document& document = m_session.document();
     if (!isDetail()) return document.changeDepth(step, edit(document.depth()), key);
     Domain next = document.domain();
-    next.flatSizes = edit(next.flatSizes);
+    next.sizes = edit(next.sizes);
     document.changeDomain(step, std::move(next), key);
 }
 
@@ -117,7 +117,7 @@ void RegionList::change(const QString& step, const Edit& edit, const QString& ke
 std::vector<NamedRegions> RegionList::groups() const {
     const Document& document = m_session.document();
     if (document.dimension() != 2) return {};
-    return isDetail() ? namedRegions(document.domain().flatSizes) : namedRegions(document.depth());
+    return isDetail() ? namedRegions(document.domain().sizes) : namedRegions(document.depth());
 }
 
 /// The place in groups(), which has the topmost last; −1: none is chosen.
@@ -127,10 +127,10 @@ int RegionList::group() const {
 
 QString RegionList::nameOf(const NamedRegions& group) const {
     if (!group.name.empty()) return QString::fromStdString(group.name);
-    const Region<2>& shape = group.regions.front().shape;
-    return std::holds_alternative<Ball<2>>(shape)        ? tr("Circle")
-           : std::holds_alternative<Box<2>>(shape)       ? tr("Rectangle")
-           : std::holds_alternative<HalfSpace<2>>(shape) ? tr("One side")
+    const Region<3>& shape = group.regions.front().shape;
+    return std::holds_alternative<Ball<3>>(shape)        ? tr("Circle")
+           : std::holds_alternative<Box<3>>(shape)       ? tr("Rectangle")
+           : std::holds_alternative<HalfSpace<3>>(shape) ? tr("One side")
                                                          : tr("Outline");
 }
 
@@ -203,7 +203,7 @@ void RegionList::rename(QListWidgetItem* item) {
 
 void RegionList::tellChosen() {
     const bool has = group() >= 0 && isVisible();
-    emit chosen(has ? groups()[group()].regions : std::vector<MaterialRegion<2>>());
+    emit chosen(has ? groups()[group()].regions : std::vector<MaterialRegion>());
 }
 
 void RegionList::showEvent(QShowEvent* event) {

@@ -28,7 +28,7 @@ class RegionList : public QWidget {
 
   signals:
     /// Emits the shapes of the chosen regions; empty if none is chosen or the list is hidden.
-    void chosen(const std::vector<wend::MaterialRegion<2>>& regions);
+    void chosen(const std::vector<wend::MaterialRegion>& regions);
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -50,23 +50,24 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
 }
 
 template <int Dim>
-const Placement<Dim>* RegionPanel::place() const {
+std::optional<Placement<Dim>> RegionPanel::place() const {
     const int handle = m_session.singleHandle();
-    if (handle < 0 || m_session.document().dimension() != Dim) return nullptr;
-    return &m_session.document().design<Dim>().handles[static_cast<std::size_t>(handle)].at;
+    if (handle < 0 || m_session.document().dimension() != Dim) return {};
+    return placementIn<Dim>(m_session.document().design().handles[static_cast<std::size_t>(handle)].at);
 }
 
 template <int Dim>
-const Region<Dim>* RegionPanel::region() const {
-    const Placement<Dim>* at = place<Dim>();
-    return at ? std::get_if<Region<Dim>>(at) : nullptr;
+std::optional<Region<Dim>> RegionPanel::region() const {
+    const auto at = place<Dim>();
+    const auto* own = at ? std::get_if<Region<Dim>>(&*at) : nullptr;
+    return own ? std::optional(*own) : std::nullopt;
 }
 
 /// Returns the radius of a disc or a ball; 0 for a point.
 template <int Dim>
 std::optional<double> RegionPanel::radius() const {
-    const Region<Dim>* now = region<Dim>();
-    const auto* ball = now ? std::get_if<Ball<Dim>>(now) : nullptr;
+    const auto now = region<Dim>();
+    const auto* ball = now ? std::get_if<Ball<Dim>>(&*now) : nullptr;
     if (ball) return ball->radius;
     return holdsPoint<Dim>(m_session, m_session.singleHandle()) ? std::optional(0.0) : std::nullopt;
 }
@@ -74,7 +75,7 @@ std::optional<double> RegionPanel::radius() const {
 /// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
     const auto frame = m_session.frame<3>();
-    const Region<3>* now = region<3>();
+    const auto now = region<3>();
     if (!now || !frame || next == *now) return;
     if (verticesInside<3>(next, *frame->rest).empty()) {
         m_count->setText(tr("There is no vertex in this region: nothing was changed."));
@@ -82,7 +83,7 @@ void RegionPanel::apply(const Region<3>& next) {
     }
     const int handle = m_session.selection().handles().front();
     m_session.document().changeDesign(tr("Change region"),
-                                      withHandlePlace<3>(m_session.document().design<3>(), handle, next),
+                                      withHandlePlace(m_session.document().design(), handle, next),
                                       QStringLiteral("handle region %1").arg(handle));
 }
 
@@ -108,7 +109,7 @@ void RegionPanel::takeFrame() {
 void RegionPanel::showHandle() {
     const FramePtr& frame = m_session.frame();
     m_mesh = frame ? frame->shape : nullptr;
-    const Region<3>* solid = region<3>();
+    const auto solid = region<3>();
     const bool isSolid = solid && RegionNumbers::canShow(*solid);
     const int handle = m_session.singleHandle();
     const bool point = holdsPoint<2>(m_session, handle) || holdsPoint<3>(m_session, handle);

@@ -26,9 +26,9 @@ class RegionPanel : public QWidget {
     void takeFrame();
     void apply(const Region<3>& region);
     template <int Dim>
-    const Placement<Dim>* place() const;
+    std::optional<Placement<Dim>> place() const;
     template <int Dim>
-    const Region<Dim>* region() const;
+    std::optional<Region<Dim>> region() const;
     template <int Dim>
     void widen();
     template <int Dim>

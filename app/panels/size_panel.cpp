@@ -120,10 +120,10 @@ void SizePanel::connectControls() {
     connect(&m_session, &ShapeSession::pinsChanged, this, [this] {
         const auto& selected = m_session.selection().handles();
         const bool solid = m_session.document().dimension() == 3 && selected.size() == 1;
-        const auto count = solid ? m_session.document().design<3>().handles.size() : 0;
+        const auto count = solid ? m_session.document().design().handles.size() : 0;
         allowSelected(
             solid && selected.front() < static_cast<int>(count) &&
-            std::holds_alternative<Region<3>>(m_session.document().design<3>().handles[selected.front()].at));
+            std::holds_alternative<Region<3>>(m_session.document().design().handles[selected.front()].at));
     });
     allowSelected(false);
 }
@@ -165,7 +165,7 @@ void SizePanel::add(const Region<3>& shape) {
 }
 
 void SizePanel::addSelected() {
-    const auto& at = m_session.document().design<3>().handles[m_session.selection().handles().front()].at;
+    const auto& at = m_session.document().design().handles[m_session.selection().handles().front()].at;
     if (const auto* region = std::get_if<Region<3>>(&at)) add(*region);
 }
 

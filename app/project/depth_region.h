@@ -11,7 +11,7 @@ namespace wend {
 /// shape overlaps itself.
 struct DepthRegion {
     std::string name;  // regions of one name belong together; may be empty
-    Region<2> shape;
+    Region<3> shape;
     double order = 0;
     std::string part = {};  // of a picture, that alone is changed; empty: whatever lies there
     Extras extras = {};

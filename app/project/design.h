@@ -6,21 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "app/project/pin.h"
 #include "core/energy/material.h"
 #include "core/mesh/region.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 
 /// Stiffness along a direction: one axis, or in every cell the normal of the nearest place of a wall.
-template <int Dim>
 struct Stiffness {
-    Vec<Dim> axis;
+    Vec3 axis;
     double ratio = 1;       // s ≥ 1: B₀ = I + (s − 1) a aᵀ
     std::string wall = {};  // the group of the mesh's file that is the wall; empty: the axis counts
     double within =
-        std::numeric_limits<double>::infinity();        // the distance from the wall up to which it holds
-    std::shared_ptr<const GuideMesh<Dim>> facets = {};  // of the wall
+        std::numeric_limits<double>::infinity();      // the distance from the wall up to which it holds
+    std::shared_ptr<const GuideMesh<3>> facets = {};  // of the wall
 };
 
 /// Pictures of a 2D region's φ, stiffness and direction: see material_picture.h. An empty name keeps the
@@ -34,13 +33,12 @@ struct MaterialPictures {
     bool operator==(const MaterialPictures&) const = default;
 };
 
-template <int Dim>
 struct MaterialRegion {
     std::string name;
-    Region<Dim> shape;
+    Region<3> shape;
     double feather = 0;
     std::optional<double> phi;
-    std::optional<Stiffness<Dim>> stiffness;
+    std::optional<Stiffness> stiffness;
     MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
     bool hidden = false;             // changes nothing, as if it were not there
     double leaves = 1;               // less than 1: an eraser, which leaves this part of its layer's paint
@@ -50,22 +48,22 @@ struct MaterialRegion {
     bool erases() const { return leaves < 1; }
 };
 
-template <int Dim>
 struct MaterialSpec {
     double phi = phi::kMetr;
     Smoothing smoothing;
-    double memory = 0;                         // ρ
-    std::vector<MaterialRegion<Dim>> regions;  // later ones win
-    std::vector<double> cellPhi;               // material.cells, if given
-    std::vector<Mat<Dim>> cellB;
+    double memory = 0;                    // ρ
+    std::vector<MaterialRegion> regions;  // later ones win
+    std::vector<double> cellPhi;          // material.cells, if given
+    std::vector<Mat<3>> cellB;
     std::string cellsFile;         // where material.cells names a file
     std::string cellsPhi, cellsB;  // fields of that file; empty: "phi" and "B", as far as they are there
 };
 
-template <int Dim>
+/// The material and the handles. In the plane z is 0, and matrices leave z as it is.
 struct Design {
-    MaterialSpec<Dim> material;
-    std::vector<Handle<Dim>> handles;
+    MaterialSpec material;
+    std::vector<Pin> handles;
+    int dimension = 2;  // of the shape, see Project::dimension()
 };
 
 }  // namespace wend

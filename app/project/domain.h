@@ -25,17 +25,15 @@ enum class Fit { Automatic, Exact, Cage };
 enum class Border { Free, Fixed, Slide };
 
 /// A region where cells are finer or coarser than elsewhere.
-template <int Dim>
-struct SizeRegionIn {
+struct SizeRegion {
     std::string name;  // regions of one name were painted together; may be empty
-    Region<Dim> shape;
+    Region<3> shape;
     double feather = 0;
     double factor = 1;  // of the length of edges
     Extras extras = {};
     std::string part = {};  // of a picture, the only one that it is for; empty: all
-    bool operator==(const SizeRegionIn&) const = default;
+    bool operator==(const SizeRegion&) const = default;
 };
-using SizeRegion = SizeRegionIn<3>;
 
 /// The domain that a project deforms, as its file describes it.
 struct Domain {
@@ -50,21 +48,20 @@ struct Domain {
     Outline polygons;
     Border border = Border::Free;  // Image
     int vertices = 5000;
-    double edge = 0;                         // > 0: wins over vertices
-    double quality = 1.414;                  // Surface
-    double maxVolume = 0;                    // Surface; > 0: wins over vertices
-    bool refineSurface = false;              // Surface: its triangles may be split
-    Shells shells = Shells::Automatic;       // Surface
-    std::vector<SurfaceFix> fixes;           // Surface: single faults that are fixed before anything else
-    bool repair = false;                     // Surface: the simple repairs are made first
-    int largestHole = 30;                    // edges of a hole that the repair closes
-    std::string sizesFile;                   // Surface: a factor per vertex, painted
-    std::vector<SizeRegion> sizes;           // Surface: later ones win
-    std::vector<SizeRegionIn<2>> flatSizes;  // Image: the same of a picture
-    std::string detail;                      // Surface, Mesh in space: a surface embedded in the solid
-    Fit fit = Fit::Automatic;                // Surface
-    double cageDetail = 0;                   // Surface: see CageOptions; 0: as fine as the cells
-    double cageOffset = 1.0 / 15;            // Surface: see CageOptions
+    double edge = 0;                    // > 0: wins over vertices
+    double quality = 1.414;             // Surface
+    double maxVolume = 0;               // Surface; > 0: wins over vertices
+    bool refineSurface = false;         // Surface: its triangles may be split
+    Shells shells = Shells::Automatic;  // Surface
+    std::vector<SurfaceFix> fixes;      // Surface: single faults that are fixed before anything else
+    bool repair = false;                // Surface: the simple repairs are made first
+    int largestHole = 30;               // edges of a hole that the repair closes
+    std::string sizesFile;              // Surface: a factor per vertex, painted
+    std::vector<SizeRegion> sizes;      // Image, Surface: later ones win
+    std::string detail;                 // Surface, Mesh in space: a surface embedded in the solid
+    Fit fit = Fit::Automatic;           // Surface
+    double cageDetail = 0;              // Surface: see CageOptions; 0: as fine as the cells
+    double cageOffset = 1.0 / 15;       // Surface: see CageOptions
 };
 
 }  // namespace wend

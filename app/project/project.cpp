@@ -18,22 +18,12 @@ Domain& domainOf(Project& project) {
     return project.domain;
 }
 
-const AnyDesign& designOf(const Project& project) {
+const Design& designOf(const Project& project) {
     return project.design;
 }
 
-AnyDesign& designOf(Project& project) {
+Design& designOf(Project& project) {
     return project.design;
-}
-
-template <int Dim>
-const Design<Dim>& designOf(const Project& project) {
-    return std::get<Design<Dim>>(project.design);
-}
-
-template <int Dim>
-Design<Dim>& designOf(Project& project) {
-    return std::get<Design<Dim>>(project.design);
 }
 
 const DepthRegions& depthOf(const Project& project) {
@@ -72,8 +62,7 @@ std::shared_ptr<Project> copyOf(const Project& project) {
 }
 
 double endOfMotions(const Project& project) {
-    double end =
-        std::visit([](const auto& design) { return lastMotionEnd(design.handles, 1.0); }, project.design);
+    double end = lastMotionEnd(project.design.handles, 1.0);
     for (const SettleWindow& window : project.settle) end = std::max(end, window.end);
     return end;
 }
@@ -82,10 +71,5 @@ void appendSettling(Project& project, double from, double length) {
     project.settle.push_back({from, from + length});
     project.end = std::max(project.end, from + length);
 }
-
-template const Design<2>& designOf<2>(const Project&);
-template const Design<3>& designOf<3>(const Project&);
-template Design<2>& designOf<2>(Project&);
-template Design<3>& designOf<3>(Project&);
 
 }  // namespace wend

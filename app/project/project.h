@@ -24,7 +24,7 @@ struct TimeMarker {
 /// The project as the file describes it (docs/project-file.md): values only, no meshes or pictures.
 struct Project {
     Domain domain;
-    AnyDesign design;
+    Design design;
     DepthRegions depth;  // in the plane; later ones win, and elsewhere the order is 0
     double end = 1;
     bool endIsGiven = true;  // false: the file leaves `end` to the motions, see endOfMotions()
@@ -37,7 +37,7 @@ struct Project {
     IntegrationOptions integration;    // end and settle are not looked at: see integrationOf()
     Extras extras = {};                // of everything but regions, handles and motions, which keep their own
 
-    int dimension() const { return design.index() == 0 ? 2 : 3; }
+    int dimension() const { return design.dimension; }
 };
 
 /// Returns the end of a project that gives none: that of the last motion, 1 if nothing moves, and at least

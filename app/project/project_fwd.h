@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <variant>
 #include <vector>
 
 namespace wend {
@@ -11,26 +10,18 @@ struct Domain;
 struct IntegrationOptions;
 struct Project;
 struct SettleWindow;
-template <int Dim>
 struct Design;
-template <int Dim>
 struct MaterialRegion;
-template <int Dim>
 struct MaterialSpec;
 
-using AnyDesign = std::variant<Design<2>, Design<3>>;
 using DepthRegions = std::vector<DepthRegion>;
 
 // The parts of a project. Include only the header of the part that you use.
 int dimensionOf(const Project& project);
 const Domain& domainOf(const Project& project);
 Domain& domainOf(Project& project);
-const AnyDesign& designOf(const Project& project);
-AnyDesign& designOf(Project& project);
-template <int Dim>
-const Design<Dim>& designOf(const Project& project);
-template <int Dim>
-Design<Dim>& designOf(Project& project);
+const Design& designOf(const Project& project);
+Design& designOf(Project& project);
 const DepthRegions& depthOf(const Project& project);
 DepthRegions& depthOf(Project& project);
 double endOf(const Project& project);

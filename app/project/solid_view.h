@@ -12,9 +12,9 @@ enum class UpAxis { X, Y, Z };
 
 /// The camera of a solid: `target` is in the middle of the picture, and its distance defines the scale.
 struct SavedCamera {
-    Vec<3> position = Vec<3>::Zero(), target = Vec<3>::Zero(), up = Vec<3>::UnitZ();
-    std::optional<Vec<3>> pivot;  // centre of rotation; none: the target
-    bool parallel = false;        // without perspective
+    Vec3 position = Vec3::Zero(), target = Vec3::Zero(), up = Vec3::UnitZ();
+    std::optional<Vec3> pivot;  // centre of rotation; none: the target
+    bool parallel = false;      // without perspective
 
     bool operator==(const SavedCamera&) const = default;
 };

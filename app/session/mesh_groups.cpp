@@ -31,18 +31,14 @@ std::vector<HeldGroup> heldGroups(const std::string& path) try {
 void holdGroup(ShapeSession& session, const HeldGroup& group) {
     Document& document = session.document();
     const int count = session.handleCount();
-    const auto add = [&]<int Dim>(Design<Dim> design) {
-        std::vector<std::string> names;
-        for (const Handle<Dim>& handle : design.handles) names.push_back(handle.name);
-        Handle<Dim> handle;
-        const bool isTaken = std::ranges::count(names, group.name) > 0;
-        handle.name = isTaken ? freeName(names, group.name, 2) : group.name;
-        placeOnGroup<Dim>(handle, group.name, group.dimension, group.vertices);
-        design.handles.push_back(std::move(handle));
-        document.changeDesign(ShapeSession::tr("Hold %1").arg(QString::fromStdString(group.name)),
-                              std::move(design));
-    };
-    document.dimension() == 2 ? add(document.design<2>()) : add(document.design<3>());
+    Design design = document.design();
+    const std::vector<std::string> names = namesOf(design.handles);
+    Pin& handle = design.handles.emplace_back();
+    const bool isTaken = std::ranges::count(names, group.name) > 0;
+    handle.name = isTaken ? freeName(names, group.name, 2) : group.name;
+    placeOnGroup(handle, group.name, group.dimension, group.vertices);
+    document.changeDesign(ShapeSession::tr("Hold %1").arg(QString::fromStdString(group.name)),
+                          std::move(design));
     session.selection().set({count});
 }
 

@@ -95,7 +95,7 @@ std::string shownFile(const Domain& domain) {
 
 /// Makes a new picture elastic, in which it differs from the project file's defaults.
 void beginElastic(Project& project) {
-    designOf<2>(project).material.memory = std::numeric_limits<double>::infinity();
+    designOf(project).material.memory = std::numeric_limits<double>::infinity();
 }
 
 OpenedFile openPicture(const QString& path, bool evenIfBlank, const DrawnSize& drawn) {
@@ -136,7 +136,7 @@ OpenedFile openMesh(const QString& path) {
     auto project = newProject();
     domainOf(*project).kind = flat || isVolume(*mesh) ? DomainKind::Mesh : DomainKind::Surface;
     domainOf(*project).path = path.toStdString();
-    if (!flat) designOf(*project) = Design<3>{};
+    if (!flat) designOf(*project).dimension = 3;
     OpenedFile file;
     file.project = std::move(project);
     return file;

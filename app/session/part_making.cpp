@@ -66,7 +66,7 @@ std::string unusedName(const std::vector<PicturePart>& parts, const QString& pat
 bool isPhotograph(const Project& project, const Sheet& sheet) {
     const Domain& domain = domainOf(project);
     return domain.parts.empty() && !sheet.picture->alpha && domain.outline == OutlineKind::Frame &&
-           designOf<2>(project).handles.empty();
+           designOf(project).handles.empty();
 }
 
 void make(ShapeSession& session, const Outline& area, const Project& before) {
@@ -91,7 +91,7 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     if (seam) made.joint = seam->middle;
     if (isPhotograph(before, below->sheet))
         made.heldGround =
-            Box<2>{Vec<2>::Zero(), Vec<2>(below->sheet.picture->width, below->sheet.picture->height)};
+            Box<3>{Vec3::Zero(), Vec3(below->sheet.picture->width, below->sheet.picture->height, 0)};
     session.selection().clear();
     document.change(words(QT_TRANSLATE_NOOP("PartMaking", "Make a part")), withNewPart(before, made));
     const QString name = QString::fromStdString(made.name);

@@ -34,13 +34,13 @@ class Placer {
         : m_rest(rest), m_locator(locator), m_vertices(vertexLocations(rest)) {}
 
     /// Returns the places of the handle's points, by the parts of HandlePlacer.
-    PinPlace<Dim> place(const Handle<Dim>& handle) {
+    PinPlace<Dim> place(const Pin& handle) {
         m_parts.clear();
         for (auto part = m_rest.parts.rbegin(); part != m_rest.parts.rend(); ++part)
             if (handle.part.empty() || handle.part == part->name) m_parts.push_back(*part);
         if (m_parts.empty()) m_parts.push_back({"", 0, m_rest.vertexCount(), 0, m_rest.cellCount()});
         m_isNamed = !handle.part.empty() && m_parts.size() == 1;
-        return std::visit(*this, handle.at);
+        return std::visit(*this, placementIn<Dim>(handle.at));
     }
 
     PinPlace<Dim> operator()(const std::vector<int>& vertices) const {
@@ -90,8 +90,8 @@ class Placer {
 };
 
 template <int Dim>
-void appendMotion(const Motion<Dim>& motion, PinPath<Dim>& path) {
-    const Trajectory<Dim> trajectory(motion);
+void appendMotion(const PinMotion& motion, PinPath<Dim>& path) {
+    const Trajectory<Dim> trajectory(motionIn<Dim>(motion));
     const Vec<Dim> from = path.points.back();
     for (int i = 0; i <= kPathSamples; ++i) {
         const double t = motion.start + (motion.end - motion.start) * i / kPathSamples;
@@ -110,12 +110,12 @@ Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points) {
 }
 
 template <int Dim>
-std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, const SimplicialMesh<Dim>& rest,
+std::vector<PinPlace<Dim>> placePins(const std::vector<Pin>& handles, const SimplicialMesh<Dim>& rest,
                                      const PointLocator<Dim>& locator) {
     Placer<Dim> placer(rest, locator);
     std::vector<PinPlace<Dim>> places;
     places.reserve(handles.size());
-    for (const Handle<Dim>& handle : handles) places.push_back(placer.place(handle));
+    for (const Pin& handle : handles) places.push_back(placer.place(handle));
     return places;
 }
 
@@ -127,9 +127,9 @@ Vec<Dim> positionOf(const Location<Dim>& location, const SimplicialMesh<Dim>& re
 }
 
 template <int Dim>
-std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
-                                   const std::vector<PinPlace<Dim>>& places, const SimplicialMesh<Dim>& rest,
-                                   const Points<Dim>& pose, double time, bool holding) {
+std::vector<PinView<Dim>> viewPins(const std::vector<Pin>& handles, const std::vector<PinPlace<Dim>>& places,
+                                   const SimplicialMesh<Dim>& rest, const Points<Dim>& pose, double time,
+                                   bool holding) {
     std::vector<PinView<Dim>> views;
     for (std::size_t h = 0; h < std::min(handles.size(), places.size()); ++h) {
         if (isActive(handles[h], time) != holding || places[h].isEmpty()) continue;
@@ -168,27 +168,27 @@ std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points) {
 }
 
 template <int Dim>
-std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<Vec<Dim>>& starts) {
+std::vector<PinPath<Dim>> pinPaths(const Pin& handle, const std::vector<Vec<Dim>>& starts) {
     std::vector<PinPath<Dim>> paths;
     for (const Vec<Dim>& start : starts) {
         PinPath<Dim> path;
         path.points = {start};
         path.times = {handle.motions.empty() ? 0 : handle.motions.front().start};
-        for (const Motion<Dim>& motion : handle.motions) appendMotion(motion, path);
+        for (const PinMotion& motion : handle.motions) appendMotion(motion, path);
         paths.push_back(std::move(path));
     }
     return paths;
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                                \
-    template std::vector<PinPlace<Dim>> placePins<Dim>(                                                      \
-        const std::vector<Handle<Dim>>&, const SimplicialMesh<Dim>&, const PointLocator<Dim>&);              \
+    template std::vector<PinPlace<Dim>> placePins<Dim>(const std::vector<Pin>&, const SimplicialMesh<Dim>&,  \
+                                                       const PointLocator<Dim>&);                            \
     template Vec<Dim> positionOf<Dim>(const Location<Dim>&, const SimplicialMesh<Dim>&, const Points<Dim>&); \
     template std::vector<PinView<Dim>> viewPins<Dim>(                                                        \
-        const std::vector<Handle<Dim>>&, const std::vector<PinPlace<Dim>>&, const SimplicialMesh<Dim>&,      \
+        const std::vector<Pin>&, const std::vector<PinPlace<Dim>>&, const SimplicialMesh<Dim>&,              \
         const Points<Dim>&, double, bool);                                                                   \
     template Vec<Dim> meanOf<Dim>(const std::vector<Vec<Dim>>&);                                             \
-    template std::vector<PinPath<Dim>> pinPaths<Dim>(const Handle<Dim>&, const std::vector<Vec<Dim>>&)
+    template std::vector<PinPath<Dim>> pinPaths<Dim>(const Pin&, const std::vector<Vec<Dim>>&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

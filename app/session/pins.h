@@ -31,7 +31,7 @@ struct PinView {
 
 /// Returns the places of all handles in a rest mesh; empty for handles outside it.
 template <int Dim>
-std::vector<PinPlace<Dim>> placePins(const std::vector<Handle<Dim>>& handles, const SimplicialMesh<Dim>& rest,
+std::vector<PinPlace<Dim>> placePins(const std::vector<Pin>& handles, const SimplicialMesh<Dim>& rest,
                                      const PointLocator<Dim>& locator);
 
 template <int Dim>
@@ -39,9 +39,9 @@ Vec<Dim> positionOf(const Location<Dim>& location, const SimplicialMesh<Dim>& re
 
 /// The handles that hold the shape at `time`, in the given pose; or those that do not.
 template <int Dim>
-std::vector<PinView<Dim>> viewPins(const std::vector<Handle<Dim>>& handles,
-                                   const std::vector<PinPlace<Dim>>& places, const SimplicialMesh<Dim>& rest,
-                                   const Points<Dim>& pose, double time, bool holding = true);
+std::vector<PinView<Dim>> viewPins(const std::vector<Pin>& handles, const std::vector<PinPlace<Dim>>& places,
+                                   const SimplicialMesh<Dim>& rest, const Points<Dim>& pose, double time,
+                                   bool holding = true);
 
 template <int Dim>
 Vec<Dim> meanOf(const std::vector<Vec<Dim>>& points);
@@ -56,6 +56,6 @@ struct PinPath {
     std::vector<double> times;
 };
 template <int Dim>
-std::vector<PinPath<Dim>> pinPaths(const Handle<Dim>& handle, const std::vector<Vec<Dim>>& starts);
+std::vector<PinPath<Dim>> pinPaths(const Pin& handle, const std::vector<Vec<Dim>>& starts);
 
 }  // namespace wend

@@ -23,12 +23,11 @@ constexpr double kPace = 12, kQuick = 25;  // milliseconds
 constexpr int kLongestWait = 20;           // of a sample that none follows
 
 /// Returns the path along a chain from its first point, sampled to measure its length.
-template <int Dim>
-std::vector<Amount> alongCurve(const std::vector<Vec<Dim>>& points) {
+std::vector<Amount> alongCurve(const std::vector<Vec3>& points) {
     std::vector<Amount> way = {Amount::Zero()};
-    for (const auto& piece : bezierCurve<Dim>(points).pieces)
+    for (const auto& piece : bezierCurve<3>(points).pieces)
         for (int i = 1; i <= kCurveSteps; ++i)
-            way.push_back(amountOf<Dim>(piece.value(double(i) / kCurveSteps) - points.front()));
+            way.push_back(piece.value(double(i) / kCurveSteps) - points.front());
     return way;
 }
 
@@ -37,7 +36,7 @@ bool lacksPart(const Document& document, const FramePtr& shown) {
     const auto frame = document.dimension() == 2 ? posed<2>(shown) : nullptr;
     if (!frame) return false;
     const std::vector<MeshPart>& parts = frame->rest->parts;
-    return std::ranges::any_of(document.design<2>().handles, [&](const Handle<2>& handle) {
+    return std::ranges::any_of(document.design().handles, [&](const Pin& handle) {
         return !handle.part.empty() && std::ranges::find(parts, handle.part, &MeshPart::name) == parts.end();
     });
 }
@@ -68,8 +67,9 @@ std::vector<PinView<Dim>> ShapeGesture::carriedAlong(std::vector<PinView<Dim>> v
         for (PinView<Dim>& view : views) {
             if (view.handle != start.handle) continue;
             view = start;
-            for (Vec<Dim>& p : view.points) p = carried<Dim>(m_drag->grip(), amount, p);
-            view.centre = carried<Dim>(m_drag->grip(), amount, start.centre);
+            for (Vec<Dim>& p : view.points)
+                p = carried(m_drag->grip(), amount, inSpace(p)).template head<Dim>();
+            view.centre = carried(m_drag->grip(), amount, inSpace(start.centre)).template head<Dim>();
         }
     return views;
 }
@@ -99,11 +99,8 @@ std::vector<int> ShapeGesture::movableHandles() {
     std::vector<int> handles = m_selection.handles();
     const double time = m_motion.gestureTime();
     const auto keepHolding = [&] {
-        std::visit(
-            [&](const auto& design) {
-                std::erase_if(handles, [&](int h) { return !isActive(design.handles.at(h), time); });
-            },
-            m_document.design());
+        const auto& all = m_document.design().handles;
+        std::erase_if(handles, [&](int h) { return !isActive(all.at(h), time); });
     };
     keepHolding();
     if (handles.empty()) {
@@ -126,6 +123,10 @@ void ShapeGesture::takeHold(const std::vector<int>& handles) {
     });
 }
 
+void ShapeGesture::takeHold(const std::vector<int>& handles) {
+    m_document.dimension() == 2 ? takeHold<2>(handles) : takeHold<3>(handles);
+}
+
 void ShapeGesture::begin(const Grip& grip, bool records) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
@@ -134,10 +135,7 @@ void ShapeGesture::begin(const Grip& grip, bool records) {
             ShapeSession::tr("A part is still being made. Pins can be dragged as soon as it is there."));
         return;
     }
-    if (m_document.dimension() == 2)
-        takeHold<2>(handles);
-    else
-        takeHold<3>(handles);
+    takeHold(handles);
     m_from = m_motion.gestureTime();
     m_drag.emplace(handles, grip, records || m_records);
     m_isQuick = false;
@@ -178,9 +176,7 @@ double ShapeGesture::recordedTime() const {
 void ShapeGesture::goOn() {
     if (!m_drag) return;
     m_playback.setTime(recordedTime());
-    const bool moves =
-        std::visit([this](const auto& d) { return movesAfter(d, m_from); }, m_document.design());
-    if (moves && m_drag->sampleCount() > 0) lead();
+    if (movesAfter(m_document.design(), m_from) && m_drag->sampleCount() > 0) lead();
     emit pinsChanged();
 }
 
@@ -211,10 +207,7 @@ void ShapeGesture::end(const TimedPath& path) {
     const DragGesture drag = *m_drag;
     letGo();
     if (!path.seconds.empty()) m_motion.dropPreview();  // the start of the motion is shown next
-    if (m_document.dimension() == 2)
-        push<2>(drag, path, m_from);
-    else
-        push<3>(drag, path, m_from);
+    push(drag, path, m_from);
 }
 
 void ShapeGesture::letGo() {
@@ -252,7 +245,7 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
     if (m_poses &&
         motionEnd(*m_document.project()) > 0) {  // each step is a pose of its own, in one undo step
         const QString pose = QStringLiteral("pose ") + key + QStringLiteral(" %1").arg(time);
-        return push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, pose);
+        return push<Dim>(drag, {{Amount::Zero(), inSpace(by)}, {}}, time, pose);
     }
     // the first of several paths moves the playhead to the end
     const QString earlier = QStringLiteral("earlier ") + key;
@@ -260,9 +253,9 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
         if (atTheEnd && m_document.merges(last))
             return m_document.change(
                 ShapeSession::tr("Move %1").arg(m_pins.nameOf(handles)),
-                withLongerStroke<Dim>(*m_document.project(), handles, by, armOf<Dim>(drag), last == key),
+                withLongerStroke(*m_document.project(), handles, inSpace(by), armOf<Dim>(drag), last == key),
                 last);
-    push<Dim>(drag, {{Amount::Zero(), amountOf<Dim>(by)}, {}}, time, atTheEnd ? key : earlier);
+    push<Dim>(drag, {{Amount::Zero(), inSpace(by)}, {}}, time, atTheEnd ? key : earlier);
 }
 
 template <int Dim>
@@ -275,12 +268,11 @@ void ShapeGesture::moveAtOnce(const Grip& grip, const Amount& amount) {
 }
 
 /// Keeps its own timing unless it is appended at the end, so that parallel motions continue.
-template <int Dim>
-void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
+void ShapeGesture::followCurve(const std::vector<Vec3>& points) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
-    takeHold<Dim>(handles);
-    TimedPath path{alongCurve<Dim>(points), {}};
+    takeHold(handles);
+    TimedPath path{alongCurve(points), {}};
     const Project& project = *m_document.project();
     const double from = m_motion.gestureTime(), room = project.end - from;
     const auto pieces = static_cast<double>(path.points.size() - 1);
@@ -288,8 +280,8 @@ void ShapeGesture::followCurve(const std::vector<Vec<Dim>>& points) {
         for (std::size_t i = 0; i < path.points.size(); ++i)
             path.seconds.push_back(room * static_cast<double>(i) / pieces);
     std::vector<Amount> curve;
-    for (const Vec<Dim>& p : points) curve.push_back(amountOf<Dim>(p - points.front()));
-    push<Dim>(DragGesture(handles, {}), path, from, {}, curve);
+    for (const Vec3& p : points) curve.push_back(p - points.front());
+    push(DragGesture(handles, {}), path, from, {}, curve);
 }
 
 /// Returns the mean distance of the handles from the gesture's centre: the lever arm of rotation and scaling.
@@ -304,6 +296,12 @@ double ShapeGesture::armOf(const DragGesture& drag) const {
             ++count;
         }
     return std::max(sum / std::max(count, 1), m_motion.pixel());
+}
+
+void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key,
+                        const std::vector<Amount>& curve) {
+    m_document.dimension() == 2 ? push<2>(drag, path, from, key, curve)
+                                : push<3>(drag, path, from, key, curve);
 }
 
 template <int Dim>
@@ -328,9 +326,9 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
     if (m_poses && !records && curve.empty() && motionEnd(project) > 0 &&
         pushPose<Dim>(gesture, starts, what.arg(m_pins.nameOf(drag.handles())), key))
         return;
-    const std::vector<Handle<Dim>> before = m_document.design<Dim>().handles;
+    const std::vector<Pin> before = m_document.design().handles;
     const bool lengthens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
-    m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture<Dim>(project, gesture, starts),
+    m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture(project, gesture, inSpace(starts)),
                       key);
     // Recordings are shown by playing them, and others may be recorded at the same time.
     m_playback.setTime(records ? from : m_playback.end());
@@ -354,7 +352,7 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
     const Project& project = *m_document.project();
     const bool appends = key.isEmpty() && takesTheEnd(project, gesture.from);
     if (appends && !m_keepsWay && m_added == std::pair(gesture.handles, m_document.project()))
-        if (const auto next = withLastMoveCorrected<Dim>(project, gesture)) {
+        if (const auto next = withLastMoveCorrected(project, gesture)) {
             m_document.change(step, *next);
             m_added.second = m_document.project();
             emit notice(
@@ -362,8 +360,8 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
                                  "pins on instead."));
             return true;
         }
-    const std::optional<Project> next =
-        appends ? withPoseAppended<Dim>(project, gesture, starts) : withPose<Dim>(project, gesture, starts);
+    const std::optional<Project> next = appends ? withPoseAppended(project, gesture, inSpace(starts))
+                                                : withPose(project, gesture, inSpace(starts));
     if (!next) return false;
     if (const FramePtr& frame = m_motion.frame(); !appends && frame && frame->live) {
         m_motion.showLive(atTime(frame, gesture.from));  // until the exact shape of this time is known
@@ -383,12 +381,12 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
 
 /// A gesture replaces the later motion of its own handles or, if they have none, of all.
 template <int Dim>
-void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own,
-                                double from, const QString& otherwise) {
-    Design<Dim> replaced;
+void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
+                                const QString& otherwise) {
+    Design replaced;
     for (int h = 0; h < static_cast<int>(before.size()); ++h)
         if (own.empty() || std::count(own.begin(), own.end(), h)) replaced.handles.push_back(before[h]);
-    if (!movesAfter<Dim>(replaced, from)) {
+    if (!movesAfter(replaced, from)) {
         if (!otherwise.isEmpty()) emit notice(otherwise);
     } else if (own.empty()) {
         emit notice(ShapeSession::tr("This replaces what came after; Undo brings it back."));
@@ -401,8 +399,7 @@ void ShapeGesture::tellReplaced(const std::vector<Handle<Dim>>& before, const st
 #define WEND_INSTANTIATE(Dim)                                                                            \
     template std::vector<PinView<Dim>> ShapeGesture::carriedAlong<Dim>(std::vector<PinView<Dim>>) const; \
     template void ShapeGesture::nudge<Dim>(const Vec<Dim>&);                                             \
-    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&);                             \
-    template void ShapeGesture::followCurve<Dim>(const std::vector<Vec<Dim>>&)
+    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&)
 
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

@@ -57,8 +57,7 @@ class ShapeGesture : public QObject {
     void nudge(const Vec<Dim>& by);
     template <int Dim>
     void moveAtOnce(const Grip& grip, const Amount& amount);
-    template <int Dim>
-    void followCurve(const std::vector<Vec<Dim>>& points);
+    void followCurve(const std::vector<Vec3>& points);
 
   signals:
     void began();
@@ -72,6 +71,7 @@ class ShapeGesture : public QObject {
     std::vector<int> movableHandles();
     template <int Dim>
     void takeHold(const std::vector<int>& handles);
+    void takeHold(const std::vector<int>& handles);
     template <int Dim>
     double armOf(const DragGesture& drag) const;
     void lead();
@@ -79,6 +79,8 @@ class ShapeGesture : public QObject {
     void goOn();
     double recordedTime() const;
     void end(const TimedPath& path);
+    void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
+              const std::vector<Amount>& curve = {});
     template <int Dim>
     void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
               const std::vector<Amount>& curve = {});
@@ -86,7 +88,7 @@ class ShapeGesture : public QObject {
     bool pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
                   const QString& key);
     template <int Dim>
-    void tellReplaced(const std::vector<Handle<Dim>>& before, const std::vector<int>& own, double from,
+    void tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
                       const QString& otherwise);
 
     Document& m_document;

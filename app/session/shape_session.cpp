@@ -82,10 +82,10 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind, const st
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_playback.setTime(time);  // that of the picture that is shown
-    const std::string name = freeName(namesOf(m_document.design<Dim>().handles), kind);
+    const std::string name = freeName(namesOf(m_document.design().handles), kind);
     m_motion.setChangeMovesNothing(true);
     m_document.changeDesign(tr("Add %1").arg(QString::fromStdString(name)),
-                            withHandle<Dim>(m_document.design<Dim>(), std::move(at), name, time, part));
+                            withHandle(m_document.design(), inSpace(at), name, time, part));
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
@@ -97,7 +97,7 @@ template <int Dim>
 void ShapeSession::changeHandle(int handle, Placement<Dim> at) {
     if (!mayChange(handle)) return;
     m_document.changeDesign(tr("Change %1").arg(nameOf({handle})),
-                            withHandlePlace<Dim>(m_document.design<Dim>(), handle, std::move(at)));
+                            withHandlePlace(m_document.design(), handle, inSpace(at)));
 }
 
 void ShapeSession::removeSelected() {

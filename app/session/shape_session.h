@@ -64,9 +64,12 @@ class ShapeSession : public QObject {
         return m_pins.at<Dim>(m_gesture.time(), false, false);
     }
     /// Returns the points of a handle when it starts to hold: the starts of its paths.
-    template <int Dim = 2>
+    template <int Dim>
     std::vector<Vec<Dim>> pathStarts(int handle) const {
         return m_pins.pathStarts<Dim>(handle);
+    }
+    std::vector<Vec3> pathStarts(int handle) const {
+        return m_document.dimension() == 2 ? inSpace(pathStarts<2>(handle)) : pathStarts<3>(handle);
     }
     /// Returns the velocities at the shown time: v̂ once it is solved (see setFieldWanted), until then the
     /// difference of the neighbouring frames.
@@ -124,10 +127,7 @@ class ShapeSession : public QObject {
     }
     /// Moves the selection along a Bézier chain from its first point. Within the film it lasts until the end
     /// and replaces only the motion of its own handles; at the end it is appended like a drag.
-    template <int Dim>
-    void followCurve(const std::vector<Vec<Dim>>& points) {
-        m_gesture.followCurve<Dim>(points);
-    }
+    void followCurve(const std::vector<Vec3>& points) { m_gesture.followCurve(points); }
     bool isDragging() const { return m_gesture.drag(); }
     /// Begins a drag of the selected and linked handles that act at the shown time and are not locked; emits
     /// a notice if there are none. The gesture replaces the later motion. If it `records`, it keeps the times
@@ -135,7 +135,7 @@ class ShapeSession : public QObject {
     void beginDrag(const Grip& grip = {}, bool records = false) { m_gesture.begin(grip, records); }
     template <int Dim = 2>
     void dragTo(const Vec<Dim>& offset, double seconds = 0) {
-        dragBy(amountOf<Dim>(offset), seconds);
+        dragBy(inSpace(offset), seconds);
     }
     void dragBy(const Amount& amount, double seconds = 0) { m_gesture.moveBy(amount, seconds); }
     /// Makes every following drag record.

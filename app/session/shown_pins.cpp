@@ -5,6 +5,7 @@
 #include "app/engine/shape/mesh_parts.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/edits/pin_edits.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
@@ -23,21 +24,20 @@ const std::vector<PinPlace<Dim>>& ShownPins::places() const {
         const PointLocator<Dim> locator(shape->rest->points, shape->rest->cells);
         hold.rest = shape->rest;
         hold.project = m_document.project();
-        hold.places = placePins<Dim>(m_document.design<Dim>().handles, *shape->rest, locator);
+        hold.places = placePins<Dim>(m_document.design().handles, *shape->rest, locator);
     }
     return hold.places;
 }
 
 int ShownPins::count() const {
-    return static_cast<int>(
-        std::visit([](const auto& design) { return design.handles.size(); }, m_document.design()));
+    return static_cast<int>(m_document.design().handles.size());
 }
 
 bool ShownPins::isLocked(int handle) const {
     if (traitsOf(m_document.design(), handle).locked) return true;
     const auto& parts = m_document.domain().parts;
     if (std::ranges::none_of(parts, &PicturePart::locked)) return false;
-    std::string name = m_document.design<2>().handles.at(handle).part;
+    std::string name = m_document.design().handles.at(handle).part;
     const auto shape = this->shape<2>();
     if (name.empty() && shape && !places<2>()[handle].isEmpty())
         name = partNameOf<2>(*shape->rest, places<2>()[handle].points.front().cell);
@@ -47,15 +47,14 @@ bool ShownPins::isLocked(int handle) const {
 
 QString ShownPins::nameOf(const std::vector<int>& handles) const {
     if (handles.size() != 1) return ShapeSession::tr("%n pins", nullptr, static_cast<int>(handles.size()));
-    return QString::fromStdString(std::visit(
-        [&](const auto& design) { return design.handles.at(handles[0]).name; }, m_document.design()));
+    return QString::fromStdString(m_document.design().handles.at(handles[0]).name);
 }
 
 template <int Dim>
 std::vector<PinView<Dim>> ShownPins::at(double time, bool holding, bool all) const {
     const auto shape = this->shape<Dim>();
     if (!shape) return {};
-    const auto& handles = m_document.design<Dim>().handles;
+    const auto& handles = m_document.design().handles;
     auto views = viewPins<Dim>(handles, places<Dim>(), *shape->rest, shape->pose, time, holding);
     std::erase_if(views, [&](const auto& view) { return !all && handles[view.handle].traits.hidden; });
     return views;
@@ -66,7 +65,7 @@ std::vector<Vec<Dim>> ShownPins::pathStarts(int handle) const {
     std::vector<Vec<Dim>> starts;
     const auto shape = this->shape<Dim>();
     if (!shape) return starts;
-    const double from = m_document.design<Dim>().handles.at(handle).activeFrom;
+    const double from = m_document.design().handles.at(handle).activeFrom;
     const auto first = posed<Dim>(from > 0 ? m_motion.track().at(from) : FramePtr());
     const SimplicialMesh<Dim>& rest = *shape->rest;
     const Points<Dim>& pose = first && first->rest == shape->rest ? first->pose : rest.points;

@@ -203,7 +203,7 @@ std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
 std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
     if (measure == Measure::Stiffness) return 1;
     if (measure != Measure::Phi || session.document().isEmpty()) return {};
-    return std::visit([](const auto& design) { return design.material.phi; }, session.document().design());
+    return session.document().design().material.phi;
 }
 
 double paintedPart(double place, double plainPlace) {

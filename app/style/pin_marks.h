@@ -13,7 +13,7 @@ namespace wend {
 /// Returns the look of a pin; `area`: it is more than a point.
 template <int Dim>
 Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool area, int hovered) {
-    const Handle<Dim>& handle = session.document().template design<Dim>().handles[view.handle];
+    const Pin& handle = session.document().design().handles[view.handle];
     return {session.selection().contains(view.handle),
             view.handle == hovered,
             area,
@@ -26,7 +26,7 @@ Marks::Pin pinLook(const ShapeSession& session, const PinView<Dim>& view, bool a
 template <int Dim, class ToWidget>
 void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<PinView<Dim>>& pins, int hovered,
                 const ToWidget& toWidget) {
-    const auto& handles = session.document().template design<Dim>().handles;
+    const auto& handles = session.document().design().handles;
     for (const PinView<Dim>& one : pins) {
         const int link = handles[one.handle].traits.link;
         if (link == 0 || (one.handle != hovered && !session.selection().contains(one.handle))) continue;
@@ -38,7 +38,7 @@ void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<Pin
 
 /// The name of a handle that does not hold at a time, and since or until when.
 template <int Dim>
-QString ghostName(const Handle<Dim>& handle, const QString& name, double time) {
+QString ghostName(const Pin& handle, const QString& name, double time) {
     const bool isYetToCome = time < handle.activeFrom;
     const QString when = QLocale().toString(isYetToCome ? handle.activeFrom : handle.activeTo, 'f', 2);
     return (isYetToCome ? QCoreApplication::translate("PinTool", "%1: holds from %2 s")
@@ -72,7 +72,7 @@ struct PinScene {
     bool isNamed(const PinView<Dim>& view) const { return view.handle == hovered && view.handle == named; }
     void paintGhosts(Marks& marks) const {
         const auto ghosts = session.template ghosts<Dim>();
-        const auto& handles = session.document().template design<Dim>().handles;
+        const auto& handles = session.document().design().handles;
         for (const PinView<Dim>& view : ghosts)
             marks.ghost(toWidget(view.centre), session.selection().contains(view.handle),
                         view.handle == hovered);

@@ -1,6 +1,7 @@
 #include "app/tools/region_outline.h"
 
 #include <Eigen/Geometry>
+#include <QPainter>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,10 @@ Lines linesOf(const HalfSpace<3>& half, const Vec<3>& low, const Vec<3>& high) {
              centre - reach * (u - v), centre + reach * (u + v)},
             {centre, tip},
             {back + 0.05 * reach * u, tip, back - 0.05 * reach * u}};
+}
+
+Lines linesOf(const Polygon&, const Vec<3>&, const Vec<3>&) {
+    return {};  // of pictures only
 }
 
 Lines linesOf(const Blend<3>& blend, const Vec<3>&, const Vec<3>&) {
@@ -102,9 +107,9 @@ std::vector<Vec<2>> aroundHeld(std::vector<Vec<2>> border, const std::vector<Vec
 
 }  // namespace
 
-std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view,
-                                 const PosedFrame<2>& frame) {
-    const auto* region = std::get_if<Region<2>>(&handle.at);
+std::vector<Vec<2>> regionBorder(const Pin& handle, const PinView<2>& view, const PosedFrame<2>& frame) {
+    const Placement<2> at = inPlane(handle.at);
+    const auto* region = std::get_if<Region<2>>(&at);
     std::vector<Vec<2>> border, held;
     if (region)
         for (const int v : verticesInside<2>(*region, *frame.rest)) held.push_back(frame.rest->points.col(v));

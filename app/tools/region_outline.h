@@ -19,6 +19,6 @@ void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Re
 
 /// The border of a part of a picture that is held as a whole, where it now is; the hull of its points where
 /// the region has no end.
-std::vector<Vec<2>> regionBorder(const Handle<2>& handle, const PinView<2>& view, const PosedFrame<2>& frame);
+std::vector<Vec<2>> regionBorder(const Pin& handle, const PinView<2>& view, const PosedFrame<2>& frame);
 
 }  // namespace wend

@@ -24,6 +24,8 @@ class ShapeSurface {
     virtual ~ShapeSurface() = default;
     virtual ShapeSession& session() = 0;
     virtual QPointF toWidget(const Vec<Dim>& p) const = 0;
+    /// Does the same for a point in the coordinates of space.
+    QPointF onScreen(const Vec3& p) const { return toWidget(p.template head<Dim>()); }
     /// Returns the length in the domain of a pixel of the screen at a point.
     virtual double pixelSize(const Vec<Dim>& at) const = 0;
     virtual std::optional<Touch<Dim>> touch(const QPointF& widget) const = 0;

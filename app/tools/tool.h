@@ -15,13 +15,13 @@ namespace wend {
 class CurveEditing;
 
 /// The subject of a context menu.
-enum class MenuPlace { None, Canvas, Pin, Curve };
+enum class MenuPlace { None, Canvas, Handle, Curve };
 
 /// Opens the menu of a handle and adds it to the selection; that of the canvas without one.
 inline MenuPlace menuOfPin(Selection& selection, int handle) {
     if (handle < 0) return MenuPlace::Canvas;
     if (!selection.contains(handle)) selection.set({handle});
-    return MenuPlace::Pin;
+    return MenuPlace::Handle;
 }
 
 /// Shift adds to the selection, Ctrl removes from it.

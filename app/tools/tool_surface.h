@@ -16,5 +16,8 @@ class ToolSurface : public ShapeSurface<2> {
 inline Vec<2> acrossTheScreen(const ToolSurface& surface, const Vec<2>&, const QPointF& widget) {
     return surface.toShape(widget);
 }
+inline Vec3 acrossTheScreen(const ToolSurface& surface, const Vec3&, const QPointF& widget) {
+    return inSpace(surface.toShape(widget));
+}
 
 }  // namespace wend

@@ -301,7 +301,7 @@ void MainWindow::connectEdit() {
     });
     connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
     connect(&m_properties->pins(), &PinList::menuWanted, this,
-            [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Pin); });
+            [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Handle); });
 }
 
 void MainWindow::connectView() {

@@ -11,7 +11,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Even–odd rule: a point is inside if a ray from it crosses the boundary an odd number of times.
-double distanceOf(const Polygon& polygon, const Vec<2>& p) {
+template <int Dim>
+double distanceOf(const Polygon& polygon, const Vec<Dim>& at) {
+    const Vec<2> p = at.template head<2>();
     const auto& points = polygon.points;
     double nearest = infinity;
     bool inside = false;
@@ -63,7 +65,14 @@ double smoothEdge(double distance, double feather) {
 
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p) {
-    return std::visit([&](const auto& shape) { return distanceOf(shape, p); }, region);
+    return std::visit(
+        [&](const auto& shape) {
+            if constexpr (std::is_same_v<decltype(shape), const Polygon&>)
+                return distanceOf<Dim>(shape, p);
+            else
+                return distanceOf(shape, p);
+        },
+        region);
 }
 
 template <int Dim>
@@ -72,6 +81,44 @@ double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather) 
     const double distance = signedDistance<Dim>(region, p);
     if (feather > 0) return smoothEdge(distance, feather);
     return distance <= 0 ? 1 : 0;
+}
+
+namespace {
+
+/// Converts the shapes of regions by a map of their points and vectors.
+template <int To, class Map>
+struct Converted {
+    Map map;
+
+    Region<To> operator()(const Polygon& polygon) const { return polygon; }
+    template <int From>
+    Region<To> operator()(const Ball<From>& ball) const {
+        return Ball<To>{map(ball.centre), ball.radius};
+    }
+    template <int From>
+    Region<To> operator()(const Box<From>& box) const {
+        return Box<To>{map(box.min), map(box.max)};
+    }
+    template <int From>
+    Region<To> operator()(const HalfSpace<From>& half) const {
+        return HalfSpace<To>{map(half.point), map(half.normal)};
+    }
+    template <int From>
+    Region<To> operator()(const Blend<From>& blend) const {
+        return Blend<To>{map(blend.from), map(blend.to)};
+    }
+};
+
+}  // namespace
+
+Region<2> inPlane(const Region<3>& region) {
+    const auto map = [](const Vec<3>& p) { return inPlane(p); };
+    return std::visit(Converted<2, decltype(map)>{map}, region);
+}
+
+Region<3> inSpace(const Region<2>& region) {
+    const auto map = [](const Vec<2>& p) { return inSpace(p); };
+    return std::visit(Converted<3, decltype(map)>{map}, region);
 }
 
 #define WEND_INSTANTIATE(Dim)                                                 \

@@ -9,7 +9,7 @@
 namespace wend {
 
 /// Shapes that name a part of the plane or of space; used by handles and by the material.
-struct Polygon {
+struct Polygon {  // in space an infinite prism along z
     std::vector<Vec<2>> points;
     bool operator==(const Polygon&) const = default;
 };
@@ -40,17 +40,24 @@ struct Blend {
 };
 
 template <int Dim>
-struct RegionOf;
-template <>
-struct RegionOf<2> {
-    using Type = std::variant<Polygon, Ball<2>, Box<2>, HalfSpace<2>, Blend<2>>;
-};
-template <>
-struct RegionOf<3> {
-    using Type = std::variant<Ball<3>, Box<3>, HalfSpace<3>, Blend<3>>;
-};
+using Region = std::variant<Polygon, Ball<Dim>, Box<Dim>, HalfSpace<Dim>, Blend<Dim>>;
+
+/// Returns the region of the plane z = 0 that is written in the coordinates of space.
+Region<2> inPlane(const Region<3>& region);
+/// Returns a region of the plane in the coordinates of space, with z = 0.
+Region<3> inSpace(const Region<2>& region);
+inline const Region<3>& inSpace(const Region<3>& region) {
+    return region;
+}
+
+/// Returns the region in the coordinates of that dimension.
 template <int Dim>
-using Region = typename RegionOf<Dim>::Type;
+Region<Dim> regionIn(const Region<3>& region) {
+    if constexpr (Dim == 3)
+        return region;
+    else
+        return inPlane(region);
+}
 
 /// Returns the signed distance to the boundary of the region, negative inside; −infinity for a Blend, which
 /// has none.

@@ -42,6 +42,8 @@ Eigen::Quaterniond quaternionOf(const RotationVector<3>& w) {
     return q;
 }
 
+}  // namespace
+
 RotationVector<2> turnBetween(const RotationVector<2>& from, const RotationVector<2>& to) {
     return to - from;
 }
@@ -54,8 +56,6 @@ RotationVector<3> turnBetween(const RotationVector<3>& from, const RotationVecto
     return half > 0 ? RotationVector<3>(q.vec() * (2 * std::atan2(half, q.w()) / half))
                     : RotationVector<3>::Zero();
 }
-
-}  // namespace
 
 template <>
 Mat<2> rotationOf<2>(const RotationVector<2>& vector) {

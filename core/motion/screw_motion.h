@@ -10,6 +10,10 @@ namespace wend {
 template <int Dim>
 Mat<Dim> rotationOf(const RotationVector<Dim>& vector);
 
+/// Returns the turn ω of the motion between two poses, see ScrewMotion.
+RotationVector<2> turnBetween(const RotationVector<2>& from, const RotationVector<2>& to);
+RotationVector<3> turnBetween(const RotationVector<3>& from, const RotationVector<3>& to);
+
 /// The motion of constant twist between two poses of a body: for s in [0, 1]
 ///   S(s): y ↦ A(s) (y − p) + p + V(s) v,  A(s) = exp(s [ω]×),  V(s) = ∫₀ˢ exp(τ [ω]×) dτ,
 /// with p the first position. ω and v follow from S(1) taking the first pose to the second, which is so to

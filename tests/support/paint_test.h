@@ -38,12 +38,12 @@ class PaintTest : public QObject {
         if (release) QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, b);
     }
     template <int Dim>
-    const std::vector<MaterialRegion<Dim>>& regions() {
-        return m_f->session().document().design<Dim>().material.regions;
+    const std::vector<MaterialRegion>& regions() {
+        return m_f->session().document().design().material.regions;
     }
     template <int Dim>
     bool setEverywhere(double phi) {
-        Design<Dim> next = m_f->session().document().design<Dim>();
+        Design next = m_f->session().document().design();
         next.material.phi = phi;
         m_f->session().document().changeDesign(QStringLiteral("Energy"), next);
         return settle(m_f->session());
@@ -60,11 +60,8 @@ class PaintTest : public QObject {
     }
     std::vector<std::string> layers() {
         std::vector<std::string> names;
-        std::visit(
-            [&](const auto& design) {
-                for (const auto& group : regionGroups(design)) names.push_back(group.name);
-            },
-            m_f->session().document().design());
+        for (const RegionGroup& group : regionGroups(m_f->session().document().design()))
+            names.push_back(group.name);
         return names;
     }
     QListWidget* list() { return m_f->window().properties().layers().list(); }

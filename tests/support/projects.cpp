@@ -21,7 +21,7 @@ std::shared_ptr<Project> solidProject(const QString& surface, int vertices) {
     project->domain.kind = DomainKind::Surface;
     project->domain.path = surface.toStdString();
     project->domain.vertices = vertices;
-    project->design = Design<3>();
+    project->design.dimension = 3;
     return project;
 }
 
@@ -38,8 +38,7 @@ void setLength(Document& document, double length) {
 template <int Dim>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name) {
     Project next = project;
-    next.design =
-        withHandle<Dim>(designOf<Dim>(project), std::vector<Vec<Dim>>{rest}, name, motionEnd(project));
+    next.design = withHandle(designOf(project), std::vector<Vec3>{inSpace(rest)}, name, motionEnd(project));
     return next;
 }
 

@@ -112,7 +112,7 @@ class SolidFixture {
     ShapeSession& session() { return m_window.session(); }
     const Project& project() { return *session().document().project(); }
     const Domain& domain() { return session().document().domain(); }
-    const std::vector<Handle<3>>& handles() { return session().document().design<3>().handles; }
+    const std::vector<Pin>& handles() { return session().document().design().handles; }
     Vec<3> pin(int handle) {
         for (const auto& view : session().pins<3>())
             if (view.handle == handle) return view.centre;

@@ -46,7 +46,7 @@ class WindowTest : public QObject {
         QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
         return settle(m_window->session());
     }
-    std::size_t pinCount() { return m_window->session().document().design<2>().handles.size(); }
+    std::size_t pinCount() { return m_window->session().document().design().handles.size(); }
 
     std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;

@@ -86,7 +86,8 @@ void LiveDrag<Dim>::flowByItself() {
 template <int Dim>
 bool LiveDrag<Dim>::fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const {
     return shape.rest == m_shape.rest && shape.material == m_shape.material &&
-           std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), samePlace<Dim>);
+           std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(),
+                      [](const auto& a, const auto& b) { return samePlace(inSpace(a), inSpace(b)); });
 }
 
 template <int Dim>
@@ -152,7 +153,7 @@ typename LiveDrag<Dim>::Step LiveDrag<Dim>::follow(const Amount& amount, std::op
         const double part = (i + 1) / pieces, then = begin + part * later;
         const Amount next = from + part * change;
         const auto led =
-            m_flow->lead(m_dragged, motionBetween<Dim>(m_grip, m_amount, next), othersUntil(then));
+            m_flow->lead(m_dragged, motionIn<Dim>(motionBetween(m_grip, m_amount, next)), othersUntil(then));
         m_amount += led.done * (next - m_amount);
         m_time += led.done * (then - m_time);
         step.stopped = led.done < 1;

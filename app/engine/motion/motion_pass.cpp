@@ -72,13 +72,13 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     const bool isFree = integrationOf(*project).steps == 0;
     const bool fits = sameFlow && isFree && settlingOf(*m_project) == settlingOf(*project);
     if (sameFlow) {
-        const auto &before = designOf<Dim>(*m_project).handles, &after = designOf<Dim>(*project).handles;
+        const auto &before = designOf(*m_project).handles, &after = designOf(*project).handles;
         const auto keptWith = [&](double scale) -> KeptFrames {
             return {scale, std::min(firstDifference(before, after, scale),
                                     firstDifference(settlingOf(*m_project), settlingOf(*project), scale))};
         };
         // Steps of fixed number are placed elsewhere when the clock changes.
-        const double scale = timeScale<Dim>(before, after);
+        const double scale = timeScale(before, after);
         if (scale == 1 || isFree) kept = keptWith(scale);
         // The first motion alone may have become shorter.
         if (const KeptFrames same = keptWith(1); scale != 1 && same.upTo >= kept.upTo) kept = same;
@@ -93,8 +93,7 @@ KeptFrames MotionPass<Dim>::set(const Shape<Dim>& shape, std::shared_ptr<const P
     else if (isWhole())
         m_known = Known{previous, {}, frames};
     if (m_known)
-        m_known->from =
-            lastDifference<Dim>(designOf<Dim>(*m_known->project).handles, designOf<Dim>(*m_project).handles);
+        m_known->from = lastDifference(designOf(*m_known->project).handles, designOf(*m_project).handles);
     m_end = end;
     if (!fits) m_deformer.reset(), m_making = {};
     m_begun = false;
@@ -227,10 +226,9 @@ void MotionPass<Dim>::beginMaking() {
 template <int Dim>
 std::vector<double> MotionPass<Dim>::breakpoints() const {
     std::vector<double> times = {0, m_end};
-    for (const Handle<Dim>& handle : designOf<Dim>(*m_project).handles) {
+    for (const Pin& handle : designOf(*m_project).handles) {
         times.insert(times.end(), {handle.activeFrom, handle.activeTo});
-        for (const Motion<Dim>& motion : handle.motions)
-            times.insert(times.end(), {motion.start, motion.end});
+        for (const PinMotion& motion : handle.motions) times.insert(times.end(), {motion.start, motion.end});
     }
     for (const SettleWindow& window : settlingOf(*m_project))
         times.insert(times.end(), {window.start, window.end});

@@ -139,8 +139,8 @@ void ShapeEngineOf<Dim>::beginDrag(const BeginDrag& request) try {
 }
 
 template <int Dim>
-const std::vector<Handle<Dim>>& ShapeEngineOf<Dim>::handles() const {
-    return designOf<Dim>(*m_project).handles;
+const std::vector<Pin>& ShapeEngineOf<Dim>::handles() const {
+    return designOf(*m_project).handles;
 }
 
 template <int Dim>

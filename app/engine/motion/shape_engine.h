@@ -65,7 +65,7 @@ class ShapeEngineOf : public ShapeEngine {
     void giveUp() override;
 
   private:
-    const std::vector<Handle<Dim>>& handles() const;
+    const std::vector<Pin>& handles() const;
     std::vector<int> activeHandles(double time) const;
     using BuiltPtr = std::shared_ptr<const Shape<Dim>>;
     struct Seen {  // where a drag begins

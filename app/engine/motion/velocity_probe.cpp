@@ -28,17 +28,17 @@ namespace {
 /// Keeps the handles that act at a time; the chosen ones move along coordinate k between times k and k + 1.
 template <int Dim>
 Project unitMotions(Project project, const std::vector<int>& chosen, double time) {
-    auto& handles = std::get<Design<Dim>>(project.design).handles;
-    std::vector<Handle<Dim>> held;
+    auto& handles = project.design.handles;
+    std::vector<Pin> held;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        Handle<Dim> handle = handles[static_cast<std::size_t>(h)];
+        Pin handle = handles[static_cast<std::size_t>(h)];
         if (!isActive(handle, time)) continue;
         handle.activeFrom = -std::numeric_limits<double>::infinity();
         handle.activeTo = std::numeric_limits<double>::infinity();
         handle.motions.clear();
         if (std::count(chosen.begin(), chosen.end(), h))
             for (int k = 0; k < Dim; ++k)
-                handle.motions.push_back({Translate<Dim>{Vec<Dim>::Unit(k)}, double(k), double(k + 1)});
+                handle.motions.push_back({Translate<3>{Vec3::Unit(k)}, double(k), double(k + 1)});
         held.push_back(std::move(handle));
     }
     handles = std::move(held);

@@ -173,8 +173,8 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     return solid;
 }
 
-Message tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin) {
-    const auto byNumber = [](const Handle<3>& handle) {
+Message tooManyVertices(const Domain& domain, const Design& design, const Skin& skin) {
+    const auto byNumber = [](const Pin& handle) {
         return std::holds_alternative<std::vector<int>>(handle.at);
     };
     if (domain.maxVolume > 0 || std::ranges::any_of(design.handles, byNumber)) return {};

@@ -11,7 +11,7 @@ Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
 
 /// Returns why the exact surface is not even tried: it has more than eight times the vertices that are aimed
 /// at. Empty otherwise, and where handles name its vertices by number.
-Message tooManyVertices(const Domain& domain, const Design<3>& design, const Skin& skin);
+Message tooManyVertices(const Domain& domain, const Design& design, const Skin& skin);
 
 /// Flat surfaces open as 2D meshes; a cage is built only on request.
 bool liesInAPlane(const Skin& skin);

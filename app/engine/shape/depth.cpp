@@ -18,7 +18,8 @@ Vec<2> triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
 
 float orderAt(const std::vector<DepthRegion>& regions, const std::string& part, const Vec<2>& p) {
     const auto last = std::find_if(regions.rbegin(), regions.rend(), [&](const DepthRegion& region) {
-        return (region.part.empty() || region.part == part) && signedDistance<2>(region.shape, p) <= 0;
+        return (region.part.empty() || region.part == part) &&
+               signedDistance<2>(inPlane(region.shape), p) <= 0;
     });
     return last == regions.rend() ? 0 : static_cast<float>(last->order);
 }

@@ -9,9 +9,8 @@
 namespace wend {
 
 /// The place and strength of an eraser.
-template <int Dim>
 struct Eraser {
-    Region<Dim> shape;
+    Region<3> shape;
     double feather = 0;
     double amount = 1;
     int cell = 0;           // that the amount is of; of no account where all is erased
@@ -21,12 +20,11 @@ struct Eraser {
 /// Removes paint from all visible layers, so that the shape behaves as elsewhere, even after later changes.
 /// Adds no layer.
 template <int Dim>
-Design<Dim> withErased(const Design<Dim>& design, std::span<const Eraser<Dim>> erasers,
-                       const SimplicialMesh<Dim>& rest, const std::string& folder);
+Design withErased(const Design& design, std::span<const Eraser> erasers, const SimplicialMesh<Dim>& rest,
+                  const std::string& folder);
 
 /// Removes visible layers of which erasing has left almost nothing.
 template <int Dim>
-Design<Dim> withoutErasedLayers(const Design<Dim>& design, const SimplicialMesh<Dim>& rest,
-                                const std::string& folder);
+Design withoutErasedLayers(const Design& design, const SimplicialMesh<Dim>& rest, const std::string& folder);
 
 }  // namespace wend

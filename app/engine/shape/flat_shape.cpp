@@ -46,13 +46,14 @@ bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
 
 /// Returns the places of handles that are there from the start, each place once. Points outside are left to
 /// the deformer, which names their handle.
-std::vector<Vec<2>> handlePoints(const Design<2>& design, const Outline& outline) {
+std::vector<Vec<2>> handlePoints(const Design& design, const Outline& outline) {
     const double tolerance = kCoincident * outlineDiagonal(outline);
     std::vector<Vec<2>> points;
-    for (const Handle<2>& handle : design.handles) {
-        const auto* places = std::get_if<std::vector<Vec<2>>>(&handle.at);
+    for (const Pin& handle : design.handles) {
+        const auto* places = std::get_if<std::vector<Vec3>>(&handle.at);
         if (!places || handle.activeFrom > 0) continue;
-        for (const Vec<2>& place : *places) {
+        for (const Vec3& at : *places) {
+            const Vec<2> place = inPlane(at);
             const bool known = std::ranges::any_of(
                 points, [&](const Vec<2>& p) { return (p - place).norm() <= 2 * tolerance; });
             if (!known && belongs(outline, place, tolerance)) points.push_back(place);
@@ -92,18 +93,20 @@ Outline domainOutline(const Domain& domain, const Image& picture) {
     return frameOutline(picture.width, picture.height);
 }
 
-std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design& design,
                                                      const Outline& outline, std::stop_token stop) {
     PlanarMeshOptions options;
     options.vertices = domain.vertices;
     options.edge = domain.edge;
     options.simplify = outlineSlack(domain);
     options.points = handlePoints(design, outline);
-    if (!domain.flatSizes.empty())
-        options.factor = [&sizes = domain.flatSizes](const Vec<2>& p) {
+    std::vector<Region<2>> shapes;
+    for (const SizeRegion& region : domain.sizes) shapes.push_back(inPlane(region.shape));
+    if (!domain.sizes.empty())
+        options.factor = [&sizes = domain.sizes, &shapes](const Vec<2>& p) {
             double factor = 1;
-            for (const SizeRegionIn<2>& region : sizes)
-                factor += membership<2>(region.shape, p, region.feather) * (region.factor - factor);
+            for (std::size_t i = 0; i < sizes.size(); ++i)
+                factor += membership<2>(shapes[i], p, sizes[i].feather) * (sizes[i].factor - factor);
             return factor;
         };
     options.stop = stop;

@@ -20,7 +20,7 @@ Outline domainOutline(const Domain& domain, const Image& picture);
 bool isInOutline(const Outline& outline, const Vec<2>& p);
 
 /// The mesh of an outline; points of handles that are there from the start become vertices.
-std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design<2>& design,
+std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design& design,
                                                      const Outline& outline, std::stop_token stop = {});
 
 /// Tells of a mesh that has far more vertices than were aimed at.

@@ -68,7 +68,7 @@ std::vector<Vec<3>> placesOf(const std::vector<int>& vertices, const Skin& skin)
 
 template <>
 std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& shape) {
-    std::vector<Handle<2>> handles = designOf<2>(project).handles;
+    std::vector<Handle<2>> handles = handlesIn<2>(designOf(project).handles);
     const Border kind = domainOf(project).border;
     if (kind == Border::Free || domainOf(project).kind != DomainKind::Image) return handles;
     const auto [width, height] = canvasSize(shape);
@@ -83,7 +83,7 @@ std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& sh
 
 template <>
 std::vector<Handle<3>> heldHandles<3>(const Project& project, const Shape<3>& shape) {
-    std::vector<Handle<3>> handles = designOf<3>(project).handles;
+    std::vector<Handle<3>> handles = designOf(project).handles;
     if (!shape.cage) return handles;
     for (Handle<3>& handle : handles)
         if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))

@@ -72,9 +72,9 @@ double halfTurns(const Vec<2>& axis, bool up) {
 double grayOf(MaterialPart part, const Material<2>& material, int cell, bool up) {
     if (part == MaterialPart::Keep) return stopOfPhi(material.phi[cell], 2) / kLastStop;
     if (material.anisotropy.empty()) return 0;
-    const Stiffness<2> stiffness = stiffnessOf<2>(material.anisotropy[cell]);
+    const Stiffness stiffness = stiffnessOf<2>(material.anisotropy[cell]);
     if (part == MaterialPart::Stiffness) return std::log(stiffness.ratio) / std::log(kStiffestGray);
-    return stiffness.ratio > 1 + 1e-9 ? halfTurns(stiffness.axis, up) : 0;
+    return stiffness.ratio > 1 + 1e-9 ? halfTurns(inPlane(stiffness.axis), up) : 0;
 }
 
 // --- Reading ---
@@ -169,15 +169,15 @@ class MeanOfDirections {
 
 /// A picture placed over the cells of a region's box.
 struct Laid {
-    Laid(const std::string& file, const std::string& folder, const MaterialRegion<2>& region)
+    Laid(const std::string& file, const std::string& folder, const MaterialRegion& region)
         : picture(pathIn(folder, file)),
-          toPixels(std::get<Box<2>>(region.shape), region.pictures.up, picture.width(), picture.height()) {}
+          toPixels(std::get<Box<2>>(inPlane(region.shape)), region.pictures.up, picture.width(),
+                   picture.height()) {}
     GrayPicture picture;
     ToPixels toPixels;
 };
 
-std::optional<Laid> laid(const std::string& file, const std::string& folder,
-                         const MaterialRegion<2>& region) {
+std::optional<Laid> laid(const std::string& file, const std::string& folder, const MaterialRegion& region) {
     return file.empty() ? std::nullopt : std::optional<Laid>(std::in_place, file, folder, region);
 }
 
@@ -233,31 +233,32 @@ Image materialPicture(MaterialPart part, const PictureFrame& frame, const Simpli
     return image;
 }
 
-void layPictures(const MaterialRegion<2>& region, const SimplicialMesh<2>& rest, const std::string& folder,
+void layPictures(const MaterialRegion& region, const SimplicialMesh<2>& rest, const std::string& folder,
                  Material<2>& material) {
     const auto phi = laid(region.pictures.phi, folder, region);
     const auto stiff = laid(region.pictures.stiffness, folder, region);
     const auto direction = laid(region.pictures.direction, folder, region);
     if ((stiff || direction) && material.anisotropy.empty())
         material.anisotropy.assign(rest.cells.size(), Mat<2>::Identity());
+    const Region<2> shape = inPlane(region.shape);
     for (int c = 0; c < rest.cellCount(); ++c) {
         const Cell<2>& cell = rest.cells[c];
         const Vec<2> centre =
             (rest.points.col(cell[0]) + rest.points.col(cell[1]) + rest.points.col(cell[2])) / 3;
-        const double m = membership<2>(region.shape, centre, region.feather);
+        const double m = membership<2>(shape, centre, region.feather);
         if (m <= 0) continue;
         if (const Found keep = found<MeanOfNumbers>(phi, rest, cell); keep.weight > 0)
             material.phi[c] += m * keep.weight * (phiAtStop(kLastStop * keep.value, 2) - material.phi[c]);
         if (!stiff && !direction) continue;
         Mat<2>& B = material.anisotropy[c];
-        Stiffness<2> next = stiffnessOf<2>(B);
+        Stiffness next = stiffnessOf<2>(B);
         const Found ratio = found<MeanOfNumbers>(stiff, rest, cell);
         const Found turns = found<MeanOfDirections>(direction, rest, cell);
-        if (next.ratio <= 1 + 1e-9) next.axis = Vec<2>::UnitX();
+        if (next.ratio <= 1 + 1e-9) next.axis = Vec3::UnitX();
         if (ratio.weight > 0) next.ratio = std::pow(kStiffestGray, ratio.value);
         if (turns.weight > 0) {
             const double angle = kPi * turns.value;
-            next.axis = Vec<2>(std::cos(angle), region.pictures.up ? std::sin(angle) : -std::sin(angle));
+            next.axis = Vec3(std::cos(angle), region.pictures.up ? std::sin(angle) : -std::sin(angle), 0);
         }
         const double part = m * std::max(ratio.weight, turns.weight);
         if (part > 0) B = (1 - part) * B + part * anisotropyOf<2>(next);

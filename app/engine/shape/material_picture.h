@@ -35,7 +35,7 @@ Image materialPicture(MaterialPart part, const PictureFrame& frame, const Simpli
                       const Material<2>& material);
 
 /// Such pictures upon a material: every cell takes the mean of the pixels in it. Throws InputError.
-void layPictures(const MaterialRegion<2>& region, const SimplicialMesh<2>& rest, const std::string& folder,
+void layPictures(const MaterialRegion& region, const SimplicialMesh<2>& rest, const std::string& folder,
                  Material<2>& material);
 
 }  // namespace wend

@@ -28,11 +28,10 @@ void requireCount(const char* key, std::size_t count, int cells) {
 }
 
 /// The values per cell, from the spec or the file that it names.
-template <int Dim>
-MaterialSpec<Dim> withCells(MaterialSpec<Dim> spec, const std::string& folder, int cells) {
+MaterialSpec withCells(MaterialSpec spec, const std::string& folder, int cells, int dimension) {
     const bool fromFile = !spec.cellsFile.empty() && spec.cellPhi.empty() && spec.cellB.empty();
     const std::string path = fromFile ? pathIn(folder, spec.cellsFile) : std::string();
-    if (fromFile) readCells<Dim>(path, spec);
+    if (fromFile) readCells(path, spec, dimension);
     try {
         requireCount("phi", spec.cellPhi.size(), cells);
         requireCount("B", spec.cellB.size(), cells);
@@ -56,13 +55,15 @@ class Centres {
     }
     /// The cells that a region reaches with its soft edge, with how far they belong to it.
     template <class Take>
-    void forCellsIn(const MaterialRegion<Dim>& region, const Take& take) const {
+    void forCellsIn(const MaterialRegion& region, const Take& take) const {
         const auto [begin, end] = cellsOf(region.part);
+        const Region<Dim> shape = regionIn<Dim>(region.shape);
         for (std::size_t b = 0; b < m_boxes.size(); ++b) {
             const int first = static_cast<int>(b) * kBlock;
-            if (first >= end || first + kBlock <= begin || endsBefore(region, m_boxes[b])) continue;
+            if (first >= end || first + kBlock <= begin || endsBefore(shape, region.feather, m_boxes[b]))
+                continue;
             for (int c = std::max(first, begin); c < std::min(first + kBlock, end); ++c) {
-                const double m = membership<Dim>(region.shape, m_at.col(c), region.feather);
+                const double m = membership<Dim>(shape, m_at.col(c), region.feather);
                 if (m > 0) take(c, m);
             }
         }
@@ -78,10 +79,10 @@ class Centres {
         return part == m_parts.end() ? std::pair(0, 0) : std::pair(part->firstCell, part->endCell);
     }
 
-    static bool endsBefore(const MaterialRegion<Dim>& region, const Box<Dim>& box) {
-        const auto* ball = std::get_if<Ball<Dim>>(&region.shape);
+    static bool endsBefore(const Region<Dim>& shape, double feather, const Box<Dim>& box) {
+        const auto* ball = std::get_if<Ball<Dim>>(&shape);
         if (!ball) return false;
-        const double reach = (1 + 1e-9) * (ball->radius + region.feather / 2);  // membership() rounds
+        const double reach = (1 + 1e-9) * (ball->radius + feather / 2);  // membership() rounds
         return (ball->centre - ball->centre.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm() >
                reach * reach;
     }
@@ -95,9 +96,7 @@ class Centres {
 template <int Dim>
 class WallNormals {
   public:
-    explicit WallNormals(const GuideMesh<Dim>& wall)
-        : m_surface(wall), m_points(Points<3>::Zero(3, wall.points.cols())) {
-        m_points.template topRows<Dim>() = wall.points;
+    explicit WallNormals(const GuideMesh<3>& wall) : m_surface(guideIn<Dim>(wall)), m_points(wall.points) {
         m_facets = wall.triangles;
         for (const auto& [a, b] : wall.segments) m_facets.push_back({a, b, b});
         m_tree = TriangleTree(m_points, m_facets);
@@ -130,15 +129,15 @@ class MaterialLayers {
     MaterialLayers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
         : m_rest(rest), m_folder(folder), m_centres(rest), m_material(material) {}
 
-    void lay(std::span<const MaterialRegion<Dim>> regions) {
+    void lay(std::span<const MaterialRegion> regions) {
         while (!regions.empty()) {
-            const std::size_t count = layerEnd<Dim>(regions);
+            const std::size_t count = layerEnd(regions);
             const auto layer = regions.first(count);
-            layLayer(layer, std::ranges::any_of(layer, &MaterialRegion<Dim>::erases));
+            layLayer(layer, std::ranges::any_of(layer, &MaterialRegion::erases));
             regions = regions.subspan(count);
         }
     }
-    void layLayer(std::span<const MaterialRegion<Dim>> layer, bool covers) {
+    void layLayer(std::span<const MaterialRegion> layer, bool covers) {
         m_cover.clear();
         if (covers) m_below = m_material, m_cover.assign(m_rest.cells.size(), 0);
         for (const auto& region : layer) {
@@ -150,7 +149,7 @@ class MaterialLayers {
     const std::vector<double>& cover() const { return m_cover; }
 
   private:
-    void layRegion(const MaterialRegion<Dim>& region) {
+    void layRegion(const MaterialRegion& region) {
         if (!m_cover.empty())
             m_centres.forCellsIn(region, [&](int c, double m) { m_cover[c] += m * (1 - m_cover[c]); });
         if constexpr (Dim == 2)
@@ -168,18 +167,18 @@ class MaterialLayers {
         });
     }
     /// The axis of every cell is the wall's normal at the place nearest to its centroid.
-    void layAlongWall(const MaterialRegion<Dim>& region, Stiffness<Dim> stiffness) {
+    void layAlongWall(const MaterialRegion& region, Stiffness stiffness) {
         const WallNormals<Dim> wall(*stiffness.facets);
         m_centres.forCellsIn(region, [&](int c, double m) {
             const Vec<Dim> centre = centroid(m_rest, c);
             if (wall.distance(centre) > stiffness.within) return;
-            stiffness.axis = wall.normal(centre);
+            stiffness.axis = inSpace(wall.normal(centre));
             m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * anisotropyOf<Dim>(stiffness);
         });
     }
     /// Reduces the layer's cover to what is left, and the material's difference from the layer below
     /// accordingly.
-    void erase(const MaterialRegion<Dim>& region) {
+    void erase(const MaterialRegion& region) {
         m_centres.forCellsIn(region, [&](int c, double m) {
             const double before = m_cover[c];
             m_cover[c] = (1 - m) * before + m * std::min(before, region.leaves);
@@ -205,25 +204,25 @@ class MaterialLayers {
 
 /// Returns B₀ = I + (s − 1) a aᵀ (docs/method.md, (6)).
 template <int Dim>
-Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness) {
-    const Vec<Dim> a = stiffness.axis.stableNormalized();
+Mat<Dim> anisotropyOf(const Stiffness& stiffness) {
+    const Vec<Dim> a = stiffness.axis.template head<Dim>().stableNormalized();
     return Mat<Dim>::Identity() + (stiffness.ratio - 1) * a * a.transpose();
 }
 
 template <int Dim>
-Stiffness<Dim> stiffnessOf(const Mat<Dim>& B) {
+Stiffness stiffnessOf(const Mat<Dim>& B) {
     const auto [axes, values] = principalAxes<Dim>(B);
-    return {axes.col(Dim - 1), values[Dim - 1] / values[0]};
+    return {inSpace(Vec<Dim>(axes.col(Dim - 1))), values[Dim - 1] / values[0]};
 }
 
 template <int Dim>
-void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
+void layRegions(std::span<const MaterialRegion> regions, const SimplicialMesh<Dim>& rest,
                 const std::string& folder, Material<Dim>& material) {
     MaterialLayers<Dim>(rest, folder, material).lay(regions);
 }
 
 template <int Dim>
-std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
+std::vector<double> coverOf(std::span<const MaterialRegion> layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder) {
     auto material = Material<Dim>::uniform(rest.cellCount(), phi::kMetr);
     MaterialLayers<Dim> layers(rest, folder, material);
@@ -232,28 +231,28 @@ std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const Si
 }
 
 template <int Dim>
-std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& given,
+std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& given,
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder) {
-    const MaterialSpec<Dim> spec = withCells(given, folder, rest.cellCount());
+    const MaterialSpec spec = withCells(given, folder, rest.cellCount(), Dim);
     auto material =
         std::make_shared<Material<Dim>>(Material<Dim>::uniform(rest.cellCount(), spec.phi, spec.smoothing));
     material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
-    material->anisotropy = spec.cellB;
+    for (const Mat<3>& B : spec.cellB) material->anisotropy.push_back(B.template topLeftCorner<Dim, Dim>());
     layRegions<Dim>(spec.regions, rest, folder, *material);
     return material;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                       \
-    template Mat<Dim> anisotropyOf<Dim>(const Stiffness<Dim>&);                                     \
-    template Stiffness<Dim> stiffnessOf<Dim>(const Mat<Dim>&);                                      \
-    template void layRegions<Dim>(std::span<const MaterialRegion<Dim>>, const SimplicialMesh<Dim>&, \
-                                  const std::string&, Material<Dim>&);                              \
-    template std::vector<double> coverOf<Dim>(std::span<const MaterialRegion<Dim>>,                 \
-                                              const SimplicialMesh<Dim>&, const std::string&);      \
-    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                           \
-        const MaterialSpec<Dim>&, const SimplicialMesh<Dim>&, const std::string&)
+#define WEND_INSTANTIATE(Dim)                                                                              \
+    template Mat<Dim> anisotropyOf<Dim>(const Stiffness&);                                                 \
+    template Stiffness stiffnessOf<Dim>(const Mat<Dim>&);                                                  \
+    template void layRegions<Dim>(std::span<const MaterialRegion>, const SimplicialMesh<Dim>&,             \
+                                  const std::string&, Material<Dim>&);                                     \
+    template std::vector<double> coverOf<Dim>(std::span<const MaterialRegion>, const SimplicialMesh<Dim>&, \
+                                              const std::string&);                                         \
+    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                                  \
+        const MaterialSpec&, const SimplicialMesh<Dim>&, const std::string&)
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE

@@ -16,24 +16,24 @@ namespace wend {
 /// B move to those below the layer by c'/c. A file of cell values is read from `folder`. Throws InputError
 /// that names the key.
 template <int Dim>
-std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec<Dim>& spec,
+std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& spec,
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
 /// Adds whole layers to a material, as rasterizeMaterial() does.
 template <int Dim>
-void layRegions(std::span<const MaterialRegion<Dim>> regions, const SimplicialMesh<Dim>& rest,
+void layRegions(std::span<const MaterialRegion> regions, const SimplicialMesh<Dim>& rest,
                 const std::string& folder, Material<Dim>& material);
 /// Returns the cover c of a layer, per cell.
 template <int Dim>
-std::vector<double> coverOf(std::span<const MaterialRegion<Dim>> layer, const SimplicialMesh<Dim>& rest,
+std::vector<double> coverOf(std::span<const MaterialRegion> layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder);
 
 /// Return B₀ of a stiffness, and the stiffness nearest to a B₀: along its largest eigenvector, by the ratio
 /// of the largest eigenvalue to the smallest.
 template <int Dim>
-Mat<Dim> anisotropyOf(const Stiffness<Dim>& stiffness);
+Mat<Dim> anisotropyOf(const Stiffness& stiffness);
 template <int Dim>
-Stiffness<Dim> stiffnessOf(const Mat<Dim>& B);
+Stiffness stiffnessOf(const Mat<Dim>& B);
 
 }  // namespace wend

@@ -27,9 +27,8 @@ Domain domainOf(const Domain& whole, const PicturePart& part) {
     Domain own = whole;
     own.parts.clear();
     own.path = part.path;
-    std::erase_if(own.flatSizes, [&](const SizeRegionIn<2>& region) {
-        return !region.part.empty() && region.part != part.name;
-    });
+    std::erase_if(own.sizes,
+                  [&](const SizeRegion& region) { return !region.part.empty() && region.part != part.name; });
     if (!part.outline) return own;
     own.outline = part.outline->kind;
     own.alpha = part.outline->alpha;
@@ -46,7 +45,7 @@ double enclosedArea(const Outline& outline) {
 /// Makes the shape of a picture of parts.
 class PartedShape {
   public:
-    PartedShape(const Domain& domain, const Design<2>& design, const std::string& folder, PartedCache& cache)
+    PartedShape(const Domain& domain, const Design& design, const std::string& folder, PartedCache& cache)
         : m_domain(domain), m_design(design), m_folder(folder), m_cache(cache) {}
 
     Shape<2> make(std::stop_token stop) {
@@ -126,27 +125,28 @@ class PartedShape {
     }
 
     /// The design of one part alone: handles with the points that are in it, and its joints.
-    Design<2> designOf(std::size_t part) const {
-        Design<2> own;
-        const auto add = [&](const std::vector<Vec<2>>& points, double from) {
-            Handle<2> handle;
+    Design designOf(std::size_t part) const {
+        Design own;
+        const auto add = [&](const std::vector<Vec3>& points, double from) {
+            Pin handle;
             handle.at = points;
             handle.activeFrom = from;
             if (!points.empty()) own.handles.push_back(std::move(handle));
         };
         if (!parts()[part].ridesOn.empty()) return own;
-        for (const Handle<2>& handle : m_design.handles) {
-            const auto* places = std::get_if<std::vector<Vec<2>>>(&handle.at);
+        for (const Pin& handle : m_design.handles) {
+            const auto* places = std::get_if<std::vector<Vec3>>(&handle.at);
             if (!places) continue;
-            std::vector<Vec<2>> points;
-            for (const Vec<2>& p : *places)
-                if (handle.part.empty() ? frontmostAt(p) == part : handle.part == parts()[part].name)
+            std::vector<Vec3> points;
+            for (const Vec3& p : *places)
+                if (handle.part.empty() ? frontmostAt(inPlane(p)) == part : handle.part == parts()[part].name)
                     points.push_back(p);
             add(points, handle.activeFrom);
         }
         for (const PicturePart& other : parts())
             for (const Joint& joint : other.joints)
-                if (other.name == parts()[part].name || joint.to == parts()[part].name) add({joint.at}, 0);
+                if (other.name == parts()[part].name || joint.to == parts()[part].name)
+                    add({inSpace(joint.at)}, 0);
         return own;
     }
 
@@ -298,7 +298,7 @@ class PartedShape {
     }
 
     const Domain& m_domain;
-    const Design<2>& m_design;
+    const Design& m_design;
     const std::string& m_folder;
     PartedCache& m_cache;
     std::vector<int> m_vertices;              // that each part aims at
@@ -309,7 +309,7 @@ class PartedShape {
 
 }  // namespace
 
-Shape<2> loadPartedShape(const Domain& domain, const Design<2>& design, const std::string& folder,
+Shape<2> loadPartedShape(const Domain& domain, const Design& design, const std::string& folder,
                          PartedCache& cache, std::stop_token stop) {
     return PartedShape(domain, design, folder, cache).make(stop);
 }

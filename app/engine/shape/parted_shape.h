@@ -24,7 +24,7 @@ struct PartedCache {
 /// joints. Its picture is the parts' atlas. A part that is attached to another is drawn, but is not in that
 /// mesh: its points are embedded in the mesh of the part at the end of the chain. Throws InputError:
 /// "domain.parts[1]: …".
-Shape<2> loadPartedShape(const Domain& domain, const Design<2>& design, const std::string& folder,
+Shape<2> loadPartedShape(const Domain& domain, const Design& design, const std::string& folder,
                          PartedCache& cache, std::stop_token stop);
 
 }  // namespace wend

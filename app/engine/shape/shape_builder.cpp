@@ -26,9 +26,8 @@ bool sameParts(const std::vector<PicturePart>& a, const std::vector<PicturePart>
 
 constexpr std::size_t kKept = 2;
 
-template <int Dim>
-const Design<Dim>& designOf(const ShapeInputs& inputs) {
-    return wend::designOf<Dim>(*inputs.project);
+const Design& designOf(const ShapeInputs& inputs) {
+    return wend::designOf(*inputs.project);
 }
 
 bool sameOutline(const Project& a, const Project& b) {
@@ -42,24 +41,22 @@ bool sameOutline(const Project& a, const Project& b) {
 /// start.
 std::vector<std::pair<std::string, Vec<2>>> startPoints(const ShapeInputs& inputs) {
     std::vector<std::pair<std::string, Vec<2>>> points;
-    for (const Handle<2>& handle : designOf<2>(inputs).handles)
-        if (const auto* own = std::get_if<std::vector<Vec<2>>>(&handle.at); own && handle.activeFrom <= 0)
-            for (const Vec<2>& p : *own) points.emplace_back(handle.part, p);
+    for (const Pin& handle : designOf(inputs).handles)
+        if (const auto* own = std::get_if<std::vector<Vec3>>(&handle.at); own && handle.activeFrom <= 0)
+            for (const Vec3& p : *own) points.emplace_back(handle.part, inPlane(p));
     return points;
 }
 
-template <int Dim>
-bool sameStiffness(const std::optional<Stiffness<Dim>>& a, const std::optional<Stiffness<Dim>>& b) {
+bool sameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffness>& b) {
     return a.has_value() == b.has_value() &&
            (!a || (a->axis == b->axis && a->ratio == b->ratio && a->wall == b->wall &&
                    a->within == b->within && a->facets == b->facets));
 }
 
-template <int Dim>
-bool sameRegionsAndCells(const MaterialSpec<Dim>& a, const MaterialSpec<Dim>& b) {
-    const bool erases = std::ranges::any_of(a.regions, &MaterialRegion<Dim>::erases);  // within names
-    const auto same = [erases](const MaterialRegion<Dim>& p, const MaterialRegion<Dim>& q) {
-        return p.feather == q.feather && p.phi == q.phi && sameStiffness<Dim>(p.stiffness, q.stiffness) &&
+bool sameRegionsAndCells(const MaterialSpec& a, const MaterialSpec& b) {
+    const bool erases = std::ranges::any_of(a.regions, &MaterialRegion::erases);  // within names
+    const auto same = [erases](const MaterialRegion& p, const MaterialRegion& q) {
+        return p.feather == q.feather && p.phi == q.phi && sameStiffness(p.stiffness, q.stiffness) &&
                p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
                p.leaves == q.leaves && p.part == q.part && (!erases || p.name == q.name);
     };
@@ -85,7 +82,7 @@ bool sameMesh(const ShapeInputs& a, const ShapeInputs& b) {
     if (b.dimension() == 3) return sameSolid(*a.project, *b.project);
     const Domain &p = domainOf(*a.project), &q = domainOf(*b.project);
     return sameOutline(*a.project, *b.project) && sameSettings(*a.project, *b.project, Makes::Mesh) &&
-           p.texture == q.texture && p.flatSizes == q.flatSizes &&
+           p.texture == q.texture && p.sizes == q.sizes &&
            (q.kind != DomainKind::Image || startPoints(a) == startPoints(b));
 }
 
@@ -97,7 +94,7 @@ bool ShapeBuilder<Dim>::hasMesh(const Made& made, const ShapeInputs& inputs) {
 template <int Dim>
 bool ShapeBuilder<Dim>::hasMaterial(const Made& made, const ShapeInputs& inputs) {
     return sameSettings(*made.inputs.project, *inputs.project, Makes::Material) &&
-           sameRegionsAndCells(designOf<Dim>(made.inputs).material, designOf<Dim>(inputs).material);
+           sameRegionsAndCells(designOf(made.inputs).material, designOf(inputs).material);
 }
 
 /// Caches the outline, which most changes do not affect.
@@ -112,7 +109,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
         m_outline = std::make_shared<const Outline>(domainOutline(domain, picture));
         m_outlineFrom = inputs;
     }
-    return meshPicture(domain, designOf<2>(inputs), *m_outline, stop);
+    return meshPicture(domain, designOf(inputs), *m_outline, stop);
 } catch (const InputError& error) {
     if (m_advice == Advice::None) throw;
     // Polygons are part of the project; the caller names its file.
@@ -123,7 +120,7 @@ std::shared_ptr<const SimplicialMesh<2>> ShapeBuilder<Dim>::meshOutline(const Sh
 
 template <>
 Shape<3> ShapeBuilder<3>::makeMesh(const ShapeInputs& inputs, std::stop_token stop) {
-    Shape<3> shape = loadSolid(domainOf(*inputs.project), designOf<3>(inputs), inputs.folder, stop, m_advice);
+    Shape<3> shape = loadSolid(domainOf(*inputs.project), designOf(inputs), inputs.folder, stop, m_advice);
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*shape.rest));
     return shape;
 }
@@ -135,7 +132,7 @@ Shape<2> ShapeBuilder<2>::makeMesh(const ShapeInputs& inputs, std::stop_token st
     if (!domain.parts.empty()) {
         if (m_made.empty() || domainOf(*m_made.front().inputs.project).readings != domain.readings)
             m_parted = {};
-        shape = loadPartedShape(domain, designOf<2>(inputs), inputs.folder, m_parted, stop);
+        shape = loadPartedShape(domain, designOf(inputs), inputs.folder, m_parted, stop);
         if (!shape.rest) return shape;
     } else if (domain.kind == DomainKind::Image) {
         shape.picture = inputs.picture ? inputs.picture : loadPicture(domain, inputs.folder, &shape.notices);
@@ -157,7 +154,7 @@ Shape<Dim> ShapeBuilder<Dim>::build(const ShapeInputs& inputs, std::stop_token s
     if (stop.stop_requested() || !now.shape.rest) return {};
     if (!isKnown || !hasMaterial(*known, inputs))
         now.shape.material =
-            rasterizeMaterial<Dim>(designOf<Dim>(inputs).material, *now.shape.rest, inputs.folder);
+            rasterizeMaterial<Dim>(designOf(inputs).material, *now.shape.rest, inputs.folder);
     if (isKnown) m_made.erase(known);
     m_made.insert(m_made.begin(), now);
     m_made.resize(std::min(m_made.size(), kKept));

@@ -214,7 +214,7 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
 }
 
 /// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
-Shape<3> fromSurface(const Domain& domain, const Design<3>& design, const std::string& folder,
+Shape<3> fromSurface(const Domain& domain, const Design& design, const std::string& folder,
                      const std::stop_token& stop, Advice advice) {
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));
     // Painted sizes belong to the vertices as the file has them.
@@ -277,7 +277,7 @@ Surface surfaceOf(const Skin& skin) {
     return {skin.points, skin.triangles, skin.labels};
 }
 
-Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+Shape<3> loadSolid(const Domain& domain, const Design& design, const std::string& folder,
                    std::stop_token stop, Advice advice) {
     const std::string path = pathIn(folder, domain.path);
     Shape<3> solid;

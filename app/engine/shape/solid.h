@@ -15,7 +15,7 @@ enum class Advice { Keys, None };
 /// Returns the shape of a project in space, without material (paths relative to `folder`). A surface that
 /// bounds no volume throws SurfaceError (also if the repairs did not help), everything else InputError, with
 /// the file's name; Cancelled when stopped.
-Shape<3> loadSolid(const Domain& domain, const Design<3>& design, const std::string& folder,
+Shape<3> loadSolid(const Domain& domain, const Design& design, const std::string& folder,
                    std::stop_token stop = {}, Advice advice = Advice::Keys);
 
 /// Returns the surface of a skin, with its labels.

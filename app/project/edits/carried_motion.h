@@ -1,25 +1,22 @@
 #pragma once
 
-#include "core/motion/handle.h"
+#include "app/project/pin.h"
 
 namespace wend {
 
 /// The map x ↦ to + scale (x − from): where the surroundings of a handle are in another shape.
-template <int Dim>
 struct Carrying {
-    Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
     double scale = 1;
 
-    Vec<Dim> operator()(const Vec<Dim>& p) const { return to + scale * (p - from); }
+    Vec3 operator()(const Vec3& p) const { return to + scale * (p - from); }
 };
 
 /// Returns C ∘ M ∘ C⁻¹ for a motion M: paths and displacements are scaled, angles and times stay. Files of
 /// the motion are named no more.
-template <int Dim>
-Motion<Dim> carried(const Motion<Dim>& motion, const Carrying<Dim>& carry);
+PinMotion carried(const PinMotion& motion, const Carrying& carry);
 
 /// Returns C(R) for a region R.
-template <int Dim>
-Region<Dim> carried(const Region<Dim>& region, const Carrying<Dim>& carry);
+Region<3> carried(const Region<3>& region, const Carrying& carry);
 
 }  // namespace wend

@@ -21,13 +21,8 @@ const Domain& Document::domain() const {
     return m_project->domain;
 }
 
-const AnyDesign& Document::design() const {
+const Design& Document::design() const {
     return m_project->design;
-}
-
-template <int Dim>
-const Design<Dim>& Document::design() const {
-    return designOf<Dim>(*m_project);
 }
 
 const DepthRegions& Document::depth() const {
@@ -119,7 +114,7 @@ void Document::changeDomain(const QString& name, Domain after, const QString& me
     change(name, std::move(next), mergeKey);
 }
 
-void Document::changeDesign(const QString& name, AnyDesign after, const QString& mergeKey) {
+void Document::changeDesign(const QString& name, Design after, const QString& mergeKey) {
     Project next = *m_project;
     next.design = std::move(after);
     change(name, std::move(next), mergeKey);
@@ -148,8 +143,5 @@ void Document::setProject(const std::shared_ptr<const Project>& project) {
     if (known != m_pictures.end()) m_picture = known->second;
     emit projectChanged();
 }
-
-template const Design<2>& Document::design<2>() const;
-template const Design<3>& Document::design<3>() const;
 
 }  // namespace wend

@@ -41,9 +41,7 @@ class Document : public QObject {
     /// Return the parts of the project. They require !isEmpty(); include only the header of the part that you
     /// use.
     const Domain& domain() const;
-    const AnyDesign& design() const;
-    template <int Dim>
-    const Design<Dim>& design() const;
+    const Design& design() const;
     const DepthRegions& depth() const;
     double end() const;
     /// The up axis; has a default while the document is empty.
@@ -82,7 +80,7 @@ class Document : public QObject {
     void change(const QString& name, Project after, const QString& mergeKey = {});
     void change(const QString& name, std::shared_ptr<const Project> after, const QString& mergeKey = {});
     void changeDomain(const QString& name, Domain after, const QString& mergeKey = {});
-    void changeDesign(const QString& name, AnyDesign after, const QString& mergeKey = {});
+    void changeDesign(const QString& name, Design after, const QString& mergeKey = {});
     void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});
     /// Restores an earlier project in a new step.
     void changeBack(const QString& name, const std::shared_ptr<const Project>& before);

@@ -19,97 +19,82 @@ namespace {
 
 constexpr int kCurveSamples = 64;
 
-template <int Dim>
-double lengthOf(const std::vector<Vec<Dim>>& points) {
+double lengthOf(const std::vector<Vec3>& points) {
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
     return length;
 }
 
-template <int Dim>
-double lengthOf(const Translate<Dim>& motion, double) {
+double lengthOf(const Translate<3>& motion, double) {
     return motion.by.norm();
 }
-template <int Dim>
-double lengthOf(const Rotate<Dim>& motion, double arm) {
+double lengthOf(const Rotate<3>& motion, double arm) {
     return std::abs(motion.angle) * arm;
 }
-template <int Dim>
-double lengthOf(const Recorded<Dim>& motion, double) {
-    return lengthOf<Dim>(motion.points);
+double lengthOf(const Recorded<3>& motion, double) {
+    return lengthOf(motion.points);
 }
-template <int Dim>
-double lengthOf(const CurveMotion<Dim>& motion, double arm) {
-    std::vector<Vec<Dim>> line;
-    for (const CurvePiece<Dim>& piece : curveOf<Dim>(motion).pieces)
+double lengthOf(const CurveMotion<3>& motion, double arm) {
+    std::vector<Vec3> line;
+    for (const CurvePiece<3>& piece : curveOf(motion).pieces)
         for (int i = 0; i <= kCurveSamples; ++i) line.push_back(piece.value(double(i) / kCurveSamples));
-    return lengthOf<Dim>(line) + arm * (std::abs(motion.scale - 1) + std::abs(motion.twist));
+    return lengthOf(line) + arm * (std::abs(motion.scale - 1) + std::abs(motion.twist));
 }
 
-template <int Dim>
-double lengthOf(const FieldMotion<Dim>& motion, double) {
+double lengthOf(const FieldMotion<3>& motion, double) {
     double longest = 0;
     for (const auto& [vertex, displacement] : *motion.values)
         longest = std::max(longest, displacement.norm());
     return longest;
 }
-template <int Dim>
-double lengthOf(const PoseMotion<Dim>& motion, double arm) {
+double lengthOf(const PoseMotion<3>& motion, double arm) {
     double length = 0;
     for (std::size_t i = 1; i < motion.poses.size(); ++i) {
-        const RigidPose<Dim>&from = motion.poses[i - 1], &to = motion.poses[i];
+        const RigidPose<3>&from = motion.poses[i - 1], &to = motion.poses[i];
         length += (to.position - from.position).norm() + arm * (to.rotation - from.rotation).norm();
     }
     return length;
 }
 
 /// Returns the mean distance of the points from their centroid.
-template <int Dim>
-double armOf(const std::vector<Vec<Dim>>& points) {
-    Vec<Dim> middle = Vec<Dim>::Zero();
-    for (const Vec<Dim>& p : points) middle += p / static_cast<double>(points.size());
+double armOf(const std::vector<Vec3>& points) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
     double sum = 0;
-    for (const Vec<Dim>& p : points) sum += (p - middle).norm();
+    for (const Vec3& p : points) sum += (p - middle).norm();
     return sum / static_cast<double>(points.size());
 }
 
 /// Returns the lever arm of a handle's rotation and scaling: half the size of its region.
-template <int Dim>
-double armOf(const Handle<Dim>& handle, double arm) {
-    if (const auto* points = std::get_if<std::vector<Vec<Dim>>>(&handle.at)) return armOf<Dim>(*points);
-    const auto* region = std::get_if<Region<Dim>>(&handle.at);
+double armOf(const Pin& handle, double arm) {
+    if (const auto* points = std::get_if<std::vector<Vec3>>(&handle.at)) return armOf(*points);
+    const auto* region = std::get_if<Region<3>>(&handle.at);
     if (!region) return arm;
-    if (const auto* ball = std::get_if<Ball<Dim>>(region)) return ball->radius;
-    if (const auto* box = std::get_if<Box<Dim>>(region)) return (box->max - box->min).norm() / 2;
-    if constexpr (Dim == 2)
-        if (const auto* polygon = std::get_if<Polygon>(region)) {
-            Vec<2> low = polygon->points.front(), high = low;
-            for (const Vec<2>& p : polygon->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-            return (high - low).norm() / 2;
-        }
-    return arm;
+    if (const auto* ball = std::get_if<Ball<3>>(region)) return ball->radius;
+    if (const auto* box = std::get_if<Box<3>>(region)) return (box->max - box->min).norm() / 2;
+    const auto* polygon = std::get_if<Polygon>(region);
+    if (!polygon) return arm;
+    Vec<2> low = polygon->points.front(), high = low;
+    for (const Vec<2>& p : polygon->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    return (high - low).norm() / 2;
 }
 
 /// Returns the share of a motion's duration, and so of its path, between two times.
-template <int Dim>
-double shareOf(const Motion<Dim>& motion, double from, double to) {
+double shareOf(const PinMotion& motion, double from, double to) {
     const double common = std::min(motion.end, to) - std::max(motion.start, from);
     return std::max(common, 0.0) / (motion.end - motion.start);
 }
 
-template <int Dim>
-Translate<Dim> upTo(const Translate<Dim>& motion, double u) {
+Translate<3> upTo(const Translate<3>& motion, double u) {
     return {u * motion.by};
 }
-template <int Dim>
-Rotate<Dim> upTo(Rotate<Dim> motion, double u) {
+Rotate<3> upTo(Rotate<3> motion, double u) {
     motion.angle *= u;
     return motion;
 }
-template <int Dim>
-Recorded<Dim> upTo(const Recorded<Dim>& motion, double u) {
+Recorded<3> upTo(const Recorded<3>& motion, double u) {
     const double end = motion.times.front() + u * (motion.times.back() - motion.times.front());
-    Recorded<Dim> result;
+    Recorded<3> result;
     std::size_t i = 0;
     for (; i < motion.times.size() && motion.times[i] < end; ++i) {
         result.times.push_back(motion.times[i]);
@@ -123,16 +108,14 @@ Recorded<Dim> upTo(const Recorded<Dim>& motion, double u) {
 }
 
 /// Returns the part of the motion up to u. Its values differ from those of the file, which is named no more.
-template <int Dim>
-FieldMotion<Dim> upTo(const FieldMotion<Dim>& motion, double u) {
-    auto values = std::make_shared<Displacements<Dim>>(*motion.values);
+FieldMotion<3> upTo(const FieldMotion<3>& motion, double u) {
+    auto values = std::make_shared<Displacements<3>>(*motion.values);
     for (auto& [vertex, displacement] : *values) displacement *= u;
     return {"", "", std::move(values)};
 }
-template <int Dim>
-PoseMotion<Dim> upTo(const PoseMotion<Dim>& motion, double u) {
+PoseMotion<3> upTo(const PoseMotion<3>& motion, double u) {
     const double end = motion.times.front() + u * (motion.times.back() - motion.times.front());
-    PoseMotion<Dim> result;
+    PoseMotion<3> result;
     std::size_t i = 0;
     for (; i < motion.times.size() && motion.times[i] < end; ++i) {
         result.times.push_back(motion.times[i]);
@@ -141,15 +124,14 @@ PoseMotion<Dim> upTo(const PoseMotion<Dim>& motion, double u) {
     if (i == 0 || i == motion.times.size()) return motion;
     const double s = (end - motion.times[i - 1]) / (motion.times[i] - motion.times[i - 1]);
     result.times.push_back(end);
-    result.poses.push_back(poseBetween<Dim>(motion.poses[i - 1], motion.poses[i], s));
+    result.poses.push_back(poseBetween<3>(motion.poses[i - 1], motion.poses[i], s));
     return result;
 }
 
 /// A spline that ends early is another spline: from now on it is a chain of the same cubics.
-template <int Dim>
-std::vector<Vec<Dim>> bezierPoints(const Curve<Dim>& curve) {
-    std::vector<Vec<Dim>> points = {curve.pieces.front().value(0)};
-    for (const CurvePiece<Dim>& piece : curve.pieces) {
+std::vector<Vec3> bezierPoints(const Curve<3>& curve) {
+    std::vector<Vec3> points = {curve.pieces.front().value(0)};
+    for (const CurvePiece<3>& piece : curve.pieces) {
         const auto& c = piece.coefficients;
         points.push_back(c.col(0) + c.col(1) / 3);
         points.push_back(c.col(0) + c.col(1) * 2 / 3 + c.col(2) / 3);
@@ -158,12 +140,11 @@ std::vector<Vec<Dim>> bezierPoints(const Curve<Dim>& curve) {
     return points;
 }
 
-template <int Dim>
-CurveMotion<Dim> upTo(const CurveMotion<Dim>& motion, double u) {
-    const Curve<Dim> curve = curveOf<Dim>(motion);
+CurveMotion<3> upTo(const CurveMotion<3>& motion, double u) {
+    const Curve<3> curve = curveOf(motion);
     const int k = curve.locate(u, 0, static_cast<int>(curve.pieces.size()));
     const double v = curve.pieces[k].local(u);
-    CurveMotion<Dim> result = motion;
+    CurveMotion<3> result = motion;
     result.scale = 1 + u * (motion.scale - 1);
     result.twist = u * motion.twist;
     if (motion.interpolation == Interpolation::Polyline) {
@@ -173,16 +154,15 @@ CurveMotion<Dim> upTo(const CurveMotion<Dim>& motion, double u) {
         return result;
     }
     result.interpolation = Interpolation::Bezier;
-    result.points = splitBezier<Dim>(bezierPoints<Dim>(curve), k, v);
+    result.points = splitBezier(bezierPoints(curve), k, v);
     result.points.resize(3 * k + 4);
     return result;
 }
 
 /// A cut easing is none of the four; only `in` stays valid.
-template <int Dim>
-Motion<Dim> endedAt(const Motion<Dim>& motion, double time) {
+PinMotion endedAt(const PinMotion& motion, double time) {
     const double u = ease(motion.ease, (time - motion.start) / (motion.end - motion.start));
-    Motion<Dim> result = motion;
+    PinMotion result = motion;
     result.end = time;
     if (motion.ease != Ease::In) result.ease = Ease::Linear;
     using Kind = decltype(result.kind);
@@ -197,11 +177,10 @@ bool isAfter(double a, double b) {
 }
 
 /// Returns how far a recorded rhythm is from uniform speed, as fractions of time and path.
-template <int Dim>
-double unevenness(const Motion<Dim>& motion) {
-    const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind);
+double unevenness(const PinMotion& motion) {
+    const auto* stroke = std::get_if<Recorded<3>>(&motion.kind);
     if (!stroke) return 0;
-    const double whole = lengthOf<Dim>(stroke->points), time = stroke->times.back() - stroke->times.front();
+    const double whole = lengthOf(stroke->points), time = stroke->times.back() - stroke->times.front();
     double length = 0, worst = 0;
     for (std::size_t i = 1; i < stroke->points.size() && whole > 0; ++i) {
         length += (stroke->points[i] - stroke->points[i - 1]).norm();
@@ -217,36 +196,36 @@ struct Stretch {
 };
 
 /// Returns the intervals in order of their starts. Relaxations have no pace.
-template <int Dim>
 std::vector<Stretch> stretchesOf(const Project& project) {
     std::vector<Stretch> stretches;
     for (const SettleWindow& window : project.settle) stretches.push_back({window.start, window.end});
-    for (const Handle<Dim>& handle : std::get<Design<Dim>>(project.design).handles)
-        for (const Motion<Dim>& motion : handle.motions) {
+    for (const Pin& handle : project.design.handles)
+        for (const PinMotion& motion : handle.motions) {
             const auto same = std::ranges::find_if(stretches, [&motion](const Stretch& one) {
                 return sameTime(one.start, motion.start) && sameTime(one.end, motion.end);
             });
             Stretch& own =
                 same != stretches.end() ? *same : stretches.emplace_back(Stretch{motion.start, motion.end});
-            own.pace = std::max(own.pace, pathLength<Dim>(motion, 0) / (motion.end - motion.start));
+            own.pace = std::max(own.pace, pathLength(motion, 0) / (motion.end - motion.start));
         }
     std::ranges::sort(stretches);
     return stretches;
 }
 
-template <int Dim>
+}  // namespace
+
 bool hasOwnTiming(const Project& project) {
     constexpr double kSeen = 0.02;  // of the film, or of a motion
     constexpr double kUnlike = 3;   // times as fast
     bool movesOnly = true;
-    for (const Handle<Dim>& handle : std::get<Design<Dim>>(project.design).handles)
-        for (const Motion<Dim>& motion : handle.motions) {
-            if (motion.ease != Ease::Linear || unevenness<Dim>(motion) > kSeen) return true;
-            if (const auto own = straightProgress<Dim>(motion); own && !easeOf(*own)) return true;
-            movesOnly = movesOnly && std::holds_alternative<Recorded<Dim>>(motion.kind);
+    for (const Pin& handle : project.design.handles)
+        for (const PinMotion& motion : handle.motions) {
+            if (motion.ease != Ease::Linear || unevenness(motion) > kSeen) return true;
+            if (const auto own = straightProgress(motion); own && !easeOf(*own)) return true;
+            movesOnly = movesOnly && std::holds_alternative<Recorded<3>>(motion.kind);
         }
     double at = 0, slowest = std::numeric_limits<double>::infinity(), fastest = 0;
-    for (const Stretch& one : stretchesOf<Dim>(project)) {
+    for (const Stretch& one : stretchesOf(project)) {
         if (std::abs(one.start - at) > kSeen * project.end) return true;
         at = one.end;
         // Such short intervals may have been lengthened to the minimum.
@@ -257,19 +236,17 @@ bool hasOwnTiming(const Project& project) {
     return at > 0 && (project.end - at > kSeen * project.end || (movesOnly && fastest > kUnlike * slowest));
 }
 
+namespace {
+
 /// Calls `map` for every time of the project but its end.
 template <class Map>
 void mapTimes(Project& project, const Map& map) {
-    std::visit(
-        [&](auto& design) {
-            for (auto& handle : design.handles) {
-                for (auto& motion : handle.motions)
-                    motion.start = map(motion.start), motion.end = map(motion.end);
-                handle.activeFrom = map(handle.activeFrom);
-                handle.activeTo = map(handle.activeTo);
-            }
-        },
-        project.design);
+    for (Pin& handle : project.design.handles) {
+        for (PinMotion& motion : handle.motions)
+            motion.start = map(motion.start), motion.end = map(motion.end);
+        handle.activeFrom = map(handle.activeFrom);
+        handle.activeTo = map(handle.activeTo);
+    }
     for (SettleWindow& window : project.settle) window = {map(window.start), map(window.end)};
     for (TimeMarker& marker : project.markers) marker.at = map(marker.at);
     if (project.cycle) project.cycle = {map(project.cycle->at(0)), map(project.cycle->at(1))};
@@ -277,23 +254,21 @@ void mapTimes(Project& project, const Map& map) {
 
 }  // namespace
 
-template <int Dim>
-double pathLength(const Motion<Dim>& motion, double arm) {
+double pathLength(const PinMotion& motion, double arm) {
     return std::visit([arm](const auto& kind) { return lengthOf(kind, arm); }, motion.kind);
 }
 
-template <int Dim>
-double pathLength(const std::vector<Handle<Dim>>& handles, double arm) {
+double pathLength(const std::vector<Pin>& handles, double arm) {
     std::set<double> breakpoints;
-    for (const Handle<Dim>& handle : handles)
-        for (const Motion<Dim>& motion : handle.motions) breakpoints.insert({motion.start, motion.end});
+    for (const Pin& handle : handles)
+        for (const PinMotion& motion : handle.motions) breakpoints.insert({motion.start, motion.end});
     std::vector<double> longest(breakpoints.size(), 0.0);
-    for (const Handle<Dim>& handle : handles)
-        for (const Motion<Dim>& motion : handle.motions) {
-            const double length = pathLength<Dim>(motion, armOf<Dim>(handle, arm));
+    for (const Pin& handle : handles)
+        for (const PinMotion& motion : handle.motions) {
+            const double length = pathLength(motion, armOf(handle, arm));
             std::size_t i = 0;
             for (auto to = breakpoints.begin(); to != breakpoints.end() && ++to != breakpoints.end(); ++i) {
-                const double share = shareOf<Dim>(motion, *std::prev(to), *to);
+                const double share = shareOf(motion, *std::prev(to), *to);
                 longest[i] = std::max(longest[i], share * length);
             }
         }
@@ -302,34 +277,25 @@ double pathLength(const std::vector<Handle<Dim>>& handles, double arm) {
     return sum;
 }
 
-template <int Dim>
-void endMotionsAt(Handle<Dim>& handle, double time) {
-    std::erase_if(handle.motions, [time](const Motion<Dim>& motion) {
+void endMotionsAt(Pin& handle, double time) {
+    std::erase_if(handle.motions, [time](const PinMotion& motion) {
         return motion.start >= time || sameTime(motion.start, time);
     });
-    for (Motion<Dim>& motion : handle.motions) {
-        if (isAfter(motion.end, time)) motion = endedAt<Dim>(motion, time);
+    for (PinMotion& motion : handle.motions) {
+        if (isAfter(motion.end, time)) motion = endedAt(motion, time);
         motion.end = std::min(motion.end, time);
     }
 }
 
-bool hasOwnTiming(const Project& project) {
-    return project.dimension() == 2 ? hasOwnTiming<2>(project) : hasOwnTiming<3>(project);
-}
-
 Project endedAt(const Project& project, double time) {
     Project next = project;
-    std::visit(
-        [time, end = project.end](auto& design) {
-            for (auto& handle : design.handles) {
-                endMotionsAt(handle, time);
-                const double never = std::numeric_limits<double>::infinity();
-                handle.activeFrom =
-                    isAfter(handle.activeFrom, time) ? end : std::min(handle.activeFrom, time);
-                handle.activeTo = isAfter(handle.activeTo, time) ? never : std::min(handle.activeTo, time);
-            }
-        },
-        next.design);
+    for (Pin& handle : next.design.handles) {
+        endMotionsAt(handle, time);
+        const double never = std::numeric_limits<double>::infinity();
+        handle.activeFrom =
+            isAfter(handle.activeFrom, time) ? project.end : std::min(handle.activeFrom, time);
+        handle.activeTo = isAfter(handle.activeTo, time) ? never : std::min(handle.activeTo, time);
+    }
     std::erase_if(next.settle,
                   [time](const SettleWindow& w) { return w.start >= time || sameTime(w.start, time); });
     for (SettleWindow& window : next.settle) window.end = std::min(window.end, time);
@@ -352,14 +318,5 @@ Project withLength(Project project, double length) {
     project.end = length;
     return project;
 }
-
-#define WEND_INSTANTIATE(Dim)                                                 \
-    template double pathLength<Dim>(const Motion<Dim>&, double);              \
-    template double pathLength<Dim>(const std::vector<Handle<Dim>>&, double); \
-    template void endMotionsAt<Dim>(Handle<Dim>&, double)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 
@@ -9,12 +9,10 @@ namespace wend {
 /// to their path lengths. All functions are pure.
 
 /// Returns the path length of a motion in domain units; rotation and scaling count at the radius `arm`.
-template <int Dim>
-double pathLength(const Motion<Dim>& motion, double arm);
+double pathLength(const PinMotion& motion, double arm);
 /// Returns the total path length from pose to pose: of simultaneous motions the longest counts. Handles that
 /// are points or regions have their own arms; `arm` is that of all others.
-template <int Dim>
-double pathLength(const std::vector<Handle<Dim>>& handles, double arm);
+double pathLength(const std::vector<Pin>& handles, double arm);
 
 /// Returns whether the user has timed motions: with pauses, overlaps, different speeds, easing or recorded
 /// rhythms. Motions that were only posed follow each other in proportion to their lengths. Respacing would
@@ -25,8 +23,7 @@ bool hasOwnTiming(const Project& project);
 /// now start at the very end; those that would be released later hold on.
 Project endedAt(const Project& project, double time);
 /// Cuts the motions of one handle at a time.
-template <int Dim>
-void endMotionsAt(Handle<Dim>& handle, double time);
+void endMotionsAt(Pin& handle, double time);
 
 /// The same poses by another clock: every time is mapped by the two straight lines [0, from] → [0, to] and
 /// [from, end] → [to, end].

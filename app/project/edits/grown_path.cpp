@@ -35,39 +35,36 @@ Ease nearestEase(Ease whole, double from, double to) {
 }
 
 /// Returns the curve of a motion that grows without turning; null for others.
-template <int Dim>
-const CurveMotion<Dim>* growthOf(const Motion<Dim>& motion) {
-    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+const CurveMotion<3>* growthOf(const PinMotion& motion) {
+    const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
     const bool grows = curve && curve->scale != 1 && curve->frame == FrameKind::None && curve->twist == 0;
     return grows ? curve : nullptr;
 }
 
 /// Returns the cubics of an even growth's path, which are absolute.
-template <int Dim>
-std::vector<TimedCubic<Dim>> pathOf(const Motion<Dim>& motion, const CurveMotion<Dim>& curve) {
-    Motion<Dim> path = motion;
+std::vector<TimedCubic> pathOf(const PinMotion& motion, const CurveMotion<3>& curve) {
+    PinMotion path = motion;
     path.ease = Ease::Linear;
-    auto& plain = std::get<CurveMotion<Dim>>(path.kind);
+    auto& plain = std::get<CurveMotion<3>>(path.kind);
     plain.scale = 1;
     if (curve.interpolation == Interpolation::Polyline && curve.points.size() == 2) {  // as a cubic
-        const Vec<Dim>&from = curve.points[0], &to = curve.points[1];
+        const Vec3 &from = curve.points[0], &to = curve.points[1];
         plain.points = {from, from + (to - from) / 3, from + 2 * (to - from) / 3, to};
         plain.interpolation = Interpolation::Bezier;
     }
-    auto pieces = cubicsOf<Dim>(path);
-    for (TimedCubic<Dim>& piece : pieces)
-        for (Vec<Dim>& point : piece.points) point += curve.points.front();
+    auto pieces = cubicsOf(path);
+    for (TimedCubic& piece : pieces)
+        for (Vec3& point : piece.points) point += curve.points.front();
     return pieces;
 }
 
 /// Divides the piece that holds the time there, unless it begins or ends then.
-template <int Dim>
-void divide(std::vector<TimedCubic<Dim>>& pieces, double time) {
+void divide(std::vector<TimedCubic>& pieces, double time) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const TimedCubic<Dim> own = pieces[i];
+        const TimedCubic own = pieces[i];
         const double share = (time - own.time.start) / (own.time.end - own.time.start);
         if (share < kJoint || share > 1 - kJoint) continue;
-        const std::vector<Vec<Dim>> both = splitBezier<Dim>({own.points.begin(), own.points.end()}, 0, share);
+        const std::vector<Vec3> both = splitBezier({own.points.begin(), own.points.end()}, 0, share);
         pieces[i] = {{both[0], both[1], both[2], both[3]}, {own.time.start, time}};
         pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                       {{both[3], both[4], both[5], both[6]}, {time, own.time.end}});
@@ -75,17 +72,16 @@ void divide(std::vector<TimedCubic<Dim>>& pieces, double time) {
     }
 }
 
-template <int Dim>
-std::vector<Motion<Dim>> growthThrough(const Motion<Dim>& motion, const CurveMotion<Dim>& curve,
-                                       const Vec<Dim>& by, double time) {
-    auto pieces = pathOf<Dim>(motion, curve);
-    divide<Dim>(pieces, time);
+std::vector<PinMotion> growthThrough(const PinMotion& motion, const CurveMotion<3>& curve, const Vec3& by,
+                                     double time) {
+    auto pieces = pathOf(motion, curve);
+    divide(pieces, time);
     const auto scaleAt = [&](double t) {
         return std::lerp(1.0, curve.scale, (t - motion.start) / (motion.end - motion.start));
     };
-    std::vector<Motion<Dim>> result;
-    for (const TimedCubic<Dim>& piece : pieces) {
-        CurveMotion<Dim> part;
+    std::vector<PinMotion> result;
+    for (const TimedCubic& piece : pieces) {
+        CurveMotion<3> part;
         for (std::size_t k = 0; k < 4; ++k) {
             const double t = std::lerp(piece.time.start, piece.time.end, static_cast<double>(k) / 3);
             const double factor = t <= time ? (t - motion.start) / (time - motion.start)
@@ -99,8 +95,7 @@ std::vector<Motion<Dim>> growthThrough(const Motion<Dim>& motion, const CurveMot
 }
 
 /// Lets parts of an even motion begin and end when an eased one is where they do; `even` becomes `time`.
-template <int Dim>
-void easeAs(const Motion<Dim>& whole, double even, double time, std::vector<Motion<Dim>>& parts) {
+void easeAs(const PinMotion& whole, double even, double time, std::vector<PinMotion>& parts) {
     if (whole.ease == Ease::Linear) return;
     const double length = whole.end - whole.start;
     const auto timeOf = [&](double t) {
@@ -108,7 +103,7 @@ void easeAs(const Motion<Dim>& whole, double even, double time, std::vector<Moti
         const double share = (t - whole.start) / length;
         return share >= 1 ? whole.end : whole.start + easeInverse(whole.ease, share) * length;
     };
-    for (Motion<Dim>& part : parts) {
+    for (PinMotion& part : parts) {
         part.start = timeOf(part.start);
         part.end = timeOf(part.end);
         part.ease =
@@ -117,43 +112,40 @@ void easeAs(const Motion<Dim>& whole, double even, double time, std::vector<Moti
 }
 
 /// The displacements times a factor, plus a common one.
-template <int Dim>
-FieldMotion<Dim> scaledField(const FieldMotion<Dim>& field, double factor, const Vec<Dim>& by) {
+FieldMotion<3> scaledField(const FieldMotion<3>& field, double factor, const Vec3& by) {
     auto values = *field.values;
     for (auto& [vertex, displacement] : values) displacement = factor * displacement + by;
-    FieldMotion<Dim> result;
-    result.values = std::make_shared<const Displacements<Dim>>(std::move(values));
+    FieldMotion<3> result;
+    result.values = std::make_shared<const Displacements<3>>(std::move(values));
     return result;
 }
 
 }  // namespace
 
-template <int Dim>
-std::vector<Motion<Dim>> ledWhileGrowing(const Motion<Dim>& motion, const Vec<Dim>& by, double time) {
+std::vector<PinMotion> ledWhileGrowing(const PinMotion& motion, const Vec3& by, double time) {
     const double length = motion.end - motion.start,
                  share = ease(motion.ease, (time - motion.start) / length);
     const double even = motion.ease == Ease::Linear ? time : motion.start + share * length;
-    std::vector<Motion<Dim>> parts;
-    if (const auto* curve = growthOf<Dim>(motion)) {
-        parts = growthThrough<Dim>(motion, *curve, by, even);
-    } else if (const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind)) {
-        parts = {{scaledField<Dim>(*field, share, by), motion.start, even},
-                 {scaledField<Dim>(*field, 1 - share, -by), even, motion.end}};
+    std::vector<PinMotion> parts;
+    if (const auto* curve = growthOf(motion)) {
+        parts = growthThrough(motion, *curve, by, even);
+    } else if (const auto* field = std::get_if<FieldMotion<3>>(&motion.kind)) {
+        parts = {{scaledField(*field, share, by), motion.start, even},
+                 {scaledField(*field, 1 - share, -by), even, motion.end}};
     }
-    easeAs<Dim>(motion, even, time, parts);
+    easeAs(motion, even, time, parts);
     return parts;
 }
 
-template <int Dim>
-std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last) {
-    Motion<Dim> result = motion;
-    if (const auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind)) {
-        result.kind = scaledField<Dim>(*field, 1, (last - first) * by);
+std::vector<PinMotion> ledGrowth(const PinMotion& motion, const Vec3& by, double first, double last) {
+    PinMotion result = motion;
+    if (const auto* field = std::get_if<FieldMotion<3>>(&motion.kind)) {
+        result.kind = scaledField(*field, 1, (last - first) * by);
         return {result};
     }
-    const auto* curve = growthOf<Dim>(motion);
+    const auto* curve = growthOf(motion);
     if (!curve || curve->interpolation != Interpolation::Bezier) return {};
-    auto& points = std::get<CurveMotion<Dim>>(result.kind).points;
+    auto& points = std::get<CurveMotion<3>>(result.kind).points;
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] +=
             std::lerp(first, last, static_cast<double>(i) / static_cast<double>(points.size() - 1)) * by;
@@ -162,45 +154,34 @@ std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by
 
 /// Returns the field of displacements of two motions that follow each other, of which one at least is a field
 /// and the other a field or a translation.
-template <int Dim>
-std::optional<Motion<Dim>> joinedFields(const Motion<Dim>& before, const Motion<Dim>& after) {
-    std::map<int, Vec<Dim>> sum;
-    const auto *one = std::get_if<FieldMotion<Dim>>(&before.kind),
-               *two = std::get_if<FieldMotion<Dim>>(&after.kind);
-    const auto first = offsetOf<Dim>(before), second = offsetOf<Dim>(after);
+std::optional<PinMotion> joinedFields(const PinMotion& before, const PinMotion& after) {
+    std::map<int, Vec3> sum;
+    const auto *one = std::get_if<FieldMotion<3>>(&before.kind),
+               *two = std::get_if<FieldMotion<3>>(&after.kind);
+    const auto first = offsetOf(before), second = offsetOf(after);
     if (!(one || two) || !(one || first) || !(two || second)) return {};
     for (const auto* field : {one, two})
         if (field)
             for (const auto& [vertex, displacement] : *field->values)
-                sum.try_emplace(vertex, Vec<Dim>::Zero()).first->second += displacement;
+                sum.try_emplace(vertex, Vec3::Zero()).first->second += displacement;
     if (!one || !two)
         for (auto& [vertex, displacement] : sum) displacement += one ? *second : *first;
-    FieldMotion<Dim> whole;
-    whole.values = std::make_shared<const Displacements<Dim>>(sum.begin(), sum.end());
-    return Motion<Dim>{std::move(whole), before.start, after.end};
+    FieldMotion<3> whole;
+    whole.values = std::make_shared<const Displacements<3>>(sum.begin(), sum.end());
+    return PinMotion{std::move(whole), before.start, after.end};
 }
 
-template <int Dim>
-std::optional<Motion<Dim>> joinedGrowth(const Motion<Dim>& before, const Motion<Dim>& after) {
-    if (auto fields = joinedFields<Dim>(before, after)) return fields;
-    const auto *one = growthOf<Dim>(before), *two = growthOf<Dim>(after);
-    if ((!one && !offsetOf<Dim>(before)) || (!two && !offsetOf<Dim>(after)) || !(one || two)) return {};
-    const auto first = Trajectory<Dim>(before).at(before.end, Side::Before).position,
-               second = Trajectory<Dim>(after).at(after.end, Side::Before).position;
-    const Vec<Dim> from = (one ? one : two)->points.front(), to = second(first(from));
-    CurveMotion<Dim> whole;
+std::optional<PinMotion> joinedGrowth(const PinMotion& before, const PinMotion& after) {
+    if (auto fields = joinedFields(before, after)) return fields;
+    const auto *one = growthOf(before), *two = growthOf(after);
+    if ((!one && !offsetOf(before)) || (!two && !offsetOf(after)) || !(one || two)) return {};
+    const auto first = Trajectory<3>(before).at(before.end, Side::Before).position,
+               second = Trajectory<3>(after).at(after.end, Side::Before).position;
+    const Vec3 from = (one ? one : two)->points.front(), to = second(first(from));
+    CurveMotion<3> whole;
     whole.points = {from, from + (to - from) / 3, from + 2 * (to - from) / 3, to};
     whole.scale = (one ? one->scale : 1) * (two ? two->scale : 1);
-    return Motion<Dim>{std::move(whole), before.start, after.end};
+    return PinMotion{std::move(whole), before.start, after.end};
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                            \
-    template std::optional<Motion<Dim>> joinedGrowth<Dim>(const Motion<Dim>&, const Motion<Dim>&);       \
-    template std::vector<Motion<Dim>> ledWhileGrowing<Dim>(const Motion<Dim>&, const Vec<Dim>&, double); \
-    template std::vector<Motion<Dim>> ledGrowth<Dim>(const Motion<Dim>&, const Vec<Dim>&, double, double)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/handle.h"
+#include "app/project/pin.h"
 
 namespace wend {
 
@@ -13,18 +13,15 @@ namespace wend {
 /// parts of it. Those of an eased motion are exact at its ends, at the pose and where pieces of its path
 /// join; between these they have the nearest easings, because a part of an easing is no easing. None for
 /// other motions.
-template <int Dim>
-std::vector<Motion<Dim>> ledWhileGrowing(const Motion<Dim>& motion, const Vec<Dim>& by, double time);
+std::vector<PinMotion> ledWhileGrowing(const PinMotion& motion, const Vec3& by, double time);
 
 /// Returns such a motion, eased or not, plus the displacement times a factor that goes from `first` to `last`
 /// as the motion itself does. None for other motions.
-template <int Dim>
-std::vector<Motion<Dim>> ledGrowth(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last);
+std::vector<PinMotion> ledGrowth(const PinMotion& motion, const Vec3& by, double first, double last);
 
 /// Returns one motion by what two do that follow each other, of which one at least grows and the other grows
 /// or translates, or one at least is a field and the other a field or a translation; nothing for other
 /// motions.
-template <int Dim>
-std::optional<Motion<Dim>> joinedGrowth(const Motion<Dim>& before, const Motion<Dim>& after);
+std::optional<PinMotion> joinedGrowth(const PinMotion& before, const PinMotion& after);
 
 }  // namespace wend

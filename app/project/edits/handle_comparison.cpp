@@ -19,64 +19,57 @@ bool sameList(const std::vector<T>& a, const std::vector<T>& b, Same same) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-template <int Dim>
-bool samePoints(const std::vector<Vec<Dim>>& a, const std::vector<Vec<Dim>>& b) {
-    return sameList(a, b, [](const Vec<Dim>& p, const Vec<Dim>& q) { return p == q; });
+bool samePoints(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return sameList(a, b, [](const Vec3& p, const Vec3& q) { return p == q; });
 }
 
 bool same(const Polygon& a, const Polygon& b) {
-    return samePoints<2>(a.points, b.points);
+    return a == b;
 }
-template <int Dim>
-bool same(const Ball<Dim>& a, const Ball<Dim>& b) {
+bool same(const Ball<3>& a, const Ball<3>& b) {
     return a.centre == b.centre && a.radius == b.radius;
 }
-template <int Dim>
-bool same(const Box<Dim>& a, const Box<Dim>& b) {
+bool same(const Box<3>& a, const Box<3>& b) {
     return a.min == b.min && a.max == b.max;
 }
-template <int Dim>
-bool same(const HalfSpace<Dim>& a, const HalfSpace<Dim>& b) {
+bool same(const HalfSpace<3>& a, const HalfSpace<3>& b) {
     return a.point == b.point && a.normal == b.normal;
 }
-template <int Dim>
-bool same(const Blend<Dim>& a, const Blend<Dim>& b) {
+bool same(const Blend<3>& a, const Blend<3>& b) {
     return a.from == b.from && a.to == b.to;
 }
-template <int Dim>
-bool same(const Translate<Dim>& a, const Translate<Dim>& b) {
+bool same(const Translate<3>& a, const Translate<3>& b) {
     return a.by == b.by;
 }
-template <int Dim>
-bool same(const Rotate<Dim>& a, const Rotate<Dim>& b) {
+bool same(const Rotate<3>& a, const Rotate<3>& b) {
     return a.centre == b.centre && a.axis == b.axis && a.angle == b.angle;
 }
-template <int Dim>
-bool same(const CurveMotion<Dim>& a, const CurveMotion<Dim>& b) {
-    return a.interpolation == b.interpolation && samePoints<Dim>(a.points, b.points) && a.frame == b.frame &&
+bool same(const CurveMotion<3>& a, const CurveMotion<3>& b) {
+    return a.interpolation == b.interpolation && samePoints(a.points, b.points) && a.frame == b.frame &&
            a.twist == b.twist && a.scale == b.scale;
 }
-template <int Dim>
-bool same(const Recorded<Dim>& a, const Recorded<Dim>& b) {
-    return a.times == b.times && samePoints<Dim>(a.points, b.points);
+bool same(const Recorded<3>& a, const Recorded<3>& b) {
+    return a.times == b.times && samePoints(a.points, b.points);
 }
-template <int Dim>
-bool same(const FieldMotion<Dim>& a, const FieldMotion<Dim>& b) {
+bool same(const FieldMotion<3>& a, const FieldMotion<3>& b) {
     return a.file == b.file && a.array == b.array && (a.values == b.values || *a.values == *b.values);
 }
-template <int Dim>
-bool same(const PoseMotion<Dim>& a, const PoseMotion<Dim>& b) {
+bool same(const PoseMotion<3>& a, const PoseMotion<3>& b) {
     return a.file == b.file && a.times == b.times &&
-           sameList(a.poses, b.poses, [](const RigidPose<Dim>& p, const RigidPose<Dim>& q) {
+           sameList(a.poses, b.poses, [](const RigidPose<3>& p, const RigidPose<3>& q) {
                return p.position == q.position && p.rotation == q.rotation;
            });
 }
 bool same(const std::vector<int>& a, const std::vector<int>& b) {
     return a == b;
 }
-template <int Dim>
-bool same(const std::vector<Vec<Dim>>& a, const std::vector<Vec<Dim>>& b) {
-    return samePoints<Dim>(a, b);
+bool same(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return samePoints(a, b);
+}
+
+bool same(const std::shared_ptr<const GuideMesh<3>>& a, const std::shared_ptr<const GuideMesh<3>>& b) {
+    return a == b || (a && b && a->points.cols() == b->points.cols() && a->points == b->points &&
+                      a->triangles == b->triangles && a->segments == b->segments);
 }
 
 template <class... T>
@@ -86,8 +79,7 @@ bool same(const std::variant<T...>& a, const std::variant<T...>& b) {
         [&b](const auto& value) { return same(value, std::get<std::decay_t<decltype(value)>>(b)); }, a);
 }
 
-template <int Dim>
-bool same(const Motion<Dim>& a, const Motion<Dim>& b) {
+bool same(const PinMotion& a, const PinMotion& b) {
     return a.start == b.start && a.end == b.end && a.ease == b.ease && same(a.kind, b.kind);
 }
 
@@ -95,39 +87,36 @@ bool same(const Motion<Dim>& a, const Motion<Dim>& b) {
 /// decelerating motions, which become linear when cut, nor for splines, whose pieces get other times. The
 /// relation is not symmetric: the integrator stops at the end of the cut motion but not there on the whole
 /// one.
-template <int Dim>
-bool isCutOff(const Motion<Dim>& motion, const Motion<Dim>& whole) {
-    const auto* curve = std::get_if<CurveMotion<Dim>>(&whole.kind);
+bool isCutOff(const PinMotion& motion, const PinMotion& whole) {
+    const auto* curve = std::get_if<CurveMotion<3>>(&whole.kind);
     const bool keepsTimes = (whole.ease == Ease::Linear || whole.ease == Ease::In) &&
                             (!curve || curve->interpolation != Interpolation::Spline);
     if (!keepsTimes || motion.end <= whole.start || motion.end >= whole.end) return false;
-    Handle<Dim> handle;
+    Pin handle;
     handle.motions = {whole};
     endMotionsAt(handle, motion.end);
     return handle.motions.size() == 1 && same(handle.motions[0], motion);
 }
 
 /// Returns whether a body that follows all motions of either handle is at the same place at a time.
-template <int Dim>
-bool samePlaceAt(const Handle<Dim>& a, const Handle<Dim>& b, double time) {
-    const auto at = [time](const Handle<Dim>& handle) {
-        return HandleTimeline<Dim>(handle).bodyAt(time, Side::Before).position;
+bool samePlaceAt(const Pin& a, const Pin& b, double time) {
+    const auto at = [time](const Pin& handle) {
+        return HandleTimeline<3>(handle).bodyAt(time, Side::Before).position;
     };
-    const AffineMap<Dim> p = at(a), q = at(b);
+    const AffineMap<3> p = at(a), q = at(b);
     const double way = std::max(p.b.norm(), q.b.norm());
     return (p.A - q.A).norm() <= kRounding && (p.b - q.b).norm() <= kRounding * way;
 }
 
-template <int Dim>
-double lastOf(const Handle<Dim>& a, const Handle<Dim>& b) {
+double lastOf(const Pin& a, const Pin& b) {
     if (!samePlace(a, b) || a.activeFrom != b.activeFrom || a.activeTo != b.activeTo) return kNever;
     std::size_t i = a.motions.size(), j = b.motions.size();
     while (i > 0 && j > 0 && same(a.motions[i - 1], b.motions[j - 1])) --i, --j;
     double last = -kNever;
     for (std::size_t k = 0; k < i; ++k) last = std::max(last, a.motions[k].end);
     for (std::size_t k = 0; k < j; ++k) last = std::max(last, b.motions[k].end);
-    const auto isField = [](const Motion<Dim>& motion) {
-        return std::holds_alternative<FieldMotion<Dim>>(motion.kind);
+    const auto isField = [](const PinMotion& motion) {
+        return std::holds_alternative<FieldMotion<3>>(motion.kind);
     };
     if (std::ranges::any_of(a.motions, isField) || std::ranges::any_of(b.motions, isField))
         return i + j > 0 ? kNever : last;
@@ -135,12 +124,11 @@ double lastOf(const Handle<Dim>& a, const Handle<Dim>& b) {
 }
 
 /// Compares two lists of handles with different clocks.
-template <int Dim>
 class Comparison {
   public:
     explicit Comparison(double scale) : m_scale(scale) {}
 
-    double first(const Handle<Dim>& a, const Handle<Dim>& b) const {
+    double first(const Pin& a, const Pin& b) const {
         if (!samePlace(a, b) || !sameAs(a.activeFrom, b.activeFrom))
             return std::min(m_scale * a.activeFrom, b.activeFrom);
         double first = sameAs(a.activeTo, b.activeTo) ? kNever : std::min(m_scale * a.activeTo, b.activeTo);
@@ -156,7 +144,7 @@ class Comparison {
 
   private:
     bool sameAs(double a, double b) const { return m_scale == 1 ? a == b : sameTime(m_scale * a, b); }
-    bool sameMotion(const Motion<Dim>& a, const Motion<Dim>& b) const {
+    bool sameMotion(const PinMotion& a, const PinMotion& b) const {
         return sameAs(a.start, b.start) && sameAs(a.end, b.end) && a.ease == b.ease && same(a.kind, b.kind);
     }
 
@@ -170,18 +158,16 @@ bool sameTime(double a, double b) {
     return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-template <int Dim>
-bool samePlace(const Handle<Dim>& a, const Handle<Dim>& b) {
+bool samePlace(const Pin& a, const Pin& b) {
     const bool sameSurface = a.slide && b.slide
-                                 ? a.slide->file == b.slide->file && a.slide->mesh == b.slide->mesh
+                                 ? a.slide->file == b.slide->file && same(a.slide->mesh, b.slide->mesh)
                                  : !a.slide && !b.slide;
     return same(a.at, b.at) && a.part == b.part && a.slides == b.slides && a.normal == b.normal &&
            sameSurface;
 }
 
-template <int Dim>
-double timeScale(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b) {
-    const Motion<Dim>*was = nullptr, *is = nullptr;
+double timeScale(const std::vector<Pin>& a, const std::vector<Pin>& b) {
+    const PinMotion *was = nullptr, *is = nullptr;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (a[i].motions.empty() || b[i].motions.empty()) continue;
         if (was && was->end <= a[i].motions[0].end) continue;
@@ -192,9 +178,8 @@ double timeScale(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim
     return was && was->end > 0 && is->end > 0 ? is->end / was->end : 1;
 }
 
-template <int Dim>
-double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b, double scale) {
-    const Comparison<Dim> comparison(scale);
+double firstDifference(const std::vector<Pin>& a, const std::vector<Pin>& b, double scale) {
+    const Comparison comparison(scale);
     const std::size_t common = std::min(a.size(), b.size());
     double first = kNever;
     for (std::size_t i = 0; i < common; ++i) first = std::min(first, comparison.first(a[i], b[i]));
@@ -203,23 +188,11 @@ double firstDifference(const std::vector<Handle<Dim>>& a, const std::vector<Hand
     return first;
 }
 
-template <int Dim>
-double lastDifference(const std::vector<Handle<Dim>>& a, const std::vector<Handle<Dim>>& b) {
+double lastDifference(const std::vector<Pin>& a, const std::vector<Pin>& b) {
     if (a.size() != b.size()) return kNever;
     double last = -kNever;
     for (std::size_t i = 0; i < a.size(); ++i) last = std::max(last, lastOf(a[i], b[i]));
     return last;
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                              \
-    template bool samePlace(const Handle<Dim>&, const Handle<Dim>&);                                       \
-    template double lastDifference<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&); \
-    template double timeScale<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&);      \
-    template double firstDifference<Dim>(const std::vector<Handle<Dim>>&, const std::vector<Handle<Dim>>&, \
-                                         double)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -20,19 +20,8 @@ constexpr double kMinTimeShare = 0.002;
 // Length of a gesture after motions that the user has timed.
 constexpr double kAppended = 1;
 
-template <int Dim>
-Design<Dim>& design(Project& project) {
-    return std::get<Design<Dim>>(project.design);
-}
-
-template <int Dim>
-double motionEnd(const Project& project) {
-    return hasMotion(designOf<Dim>(project)) ? project.end : 0;
-}
-
 /// Times in [start, end] in proportion to the length of the path.
-template <int Dim>
-std::vector<double> timesByLength(const std::vector<Vec<Dim>>& path, double start, double end) {
+std::vector<double> timesByLength(const std::vector<Vec3>& path, double start, double end) {
     std::vector<double> times(path.size(), 0.0);
     for (std::size_t i = 1; i < path.size(); ++i) times[i] = times[i - 1] + (path[i] - path[i - 1]).norm();
     const double length = times.back();
@@ -42,52 +31,47 @@ std::vector<double> timesByLength(const std::vector<Vec<Dim>>& path, double star
 }
 
 /// Times of a stroke run from 0 to 1, so its interval can be moved.
-template <int Dim>
-Motion<Dim> recorded(const Vec<Dim>& from, const std::vector<Amount>& path,
-                     const std::vector<double>& times) {
-    Recorded<Dim> stroke;
+PinMotion recorded(const Vec3& from, const std::vector<Amount>& path, const std::vector<double>& times) {
+    Recorded<3> stroke;
     const double start = times.front(), length = times.back() - start;
     for (const double time : times) stroke.times.push_back((time - start) / length);
-    for (const Amount& amount : path) stroke.points.push_back(from + amount.template head<Dim>());
-    Motion<Dim> motion;
+    for (const Amount& amount : path) stroke.points.push_back(from + amount);
+    PinMotion motion;
     motion.kind = std::move(stroke);
     motion.start = times.front();
     motion.end = times.back();
     return motion;
 }
 
-template <int Dim>
-CurveMotion<Dim> drawn(const Vec<Dim>& from, const std::vector<Amount>& curve) {
-    CurveMotion<Dim> motion;
-    for (const Amount& amount : curve) motion.points.push_back(from + amount.template head<Dim>());
+CurveMotion<3> drawn(const Vec3& from, const std::vector<Amount>& curve) {
+    CurveMotion<3> motion;
+    for (const Amount& amount : curve) motion.points.push_back(from + amount);
     return motion;
 }
 
-template <int Dim>
-void keepFarthest(const std::vector<Vec<Dim>>& path, std::size_t first, std::size_t last, double tolerance,
+template <int Size>
+void keepFarthest(const std::vector<Vec<Size>>& path, std::size_t first, std::size_t last, double tolerance,
                   std::vector<bool>& keep) {
     double worst = tolerance;
     std::size_t at = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-        const double d = distanceToSegment<Dim>(path[i], path[first], path[last]);
+        const double d = distanceToSegment<Size>(path[i], path[first], path[last]);
         if (d > worst) worst = d, at = i;
     }
     if (at == first) return;
     keep[at] = true;
-    keepFarthest(path, first, at, tolerance, keep);
-    keepFarthest(path, at, last, tolerance, keep);
+    keepFarthest<Size>(path, first, at, tolerance, keep);
+    keepFarthest<Size>(path, at, last, tolerance, keep);
 }
 
 }  // namespace
 
-template <int Dim>
-bool hasMotion(const Design<Dim>& design) {
+bool hasMotion(const Design& design) {
     return std::any_of(design.handles.begin(), design.handles.end(),
                        [](const auto& h) { return !h.motions.empty(); });
 }
 
-template <int Dim>
-bool movesAfter(const Design<Dim>& design, double time) {
+bool movesAfter(const Design& design, double time) {
     return std::any_of(design.handles.begin(), design.handles.end(), [time](const auto& handle) {
         return !handle.motions.empty() && handle.motions.back().end > time &&
                !sameTime(handle.motions.back().end, time);
@@ -95,7 +79,7 @@ bool movesAfter(const Design<Dim>& design, double time) {
 }
 
 double motionEnd(const Project& project) {
-    return project.dimension() == 2 ? motionEnd<2>(project) : motionEnd<3>(project);
+    return hasMotion(designOf(project)) ? project.end : 0;
 }
 
 bool takesTheEnd(const Project& project, double from) {
@@ -103,16 +87,14 @@ bool takesTheEnd(const Project& project, double from) {
     return from >= end || sameTime(from, end);
 }
 
-template <int Dim>
-bool isActive(const Handle<Dim>& handle, double t) {
+bool isActive(const Pin& handle, double t) {
     return handle.activeFrom <= t && t < handle.activeTo;
 }
 
-template <int Dim>
-Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time,
-                       const std::string& part) {
-    Design<Dim> next = design;
-    Handle<Dim> handle;
+Design withHandle(const Design& design, Placement<3> at, const std::string& name, double time,
+                  const std::string& part) {
+    Design next = design;
+    Pin handle;
     handle.name = name;
     handle.part = part;
     handle.at = std::move(at);
@@ -121,17 +103,15 @@ Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::
     return next;
 }
 
-template <int Dim>
-Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at) {
-    Design<Dim> next = design;
+Design withHandlePlace(const Design& design, int handle, Placement<3> at) {
+    Design next = design;
     next.handles.at(handle).at = std::move(at);
     return next;
 }
 
 Project withHandleName(const Project& project, int handle, const std::string& name) {
     Project next = project;
-    const std::string before =
-        std::visit([&](auto& own) { return std::exchange(own.handles.at(handle).name, name); }, next.design);
+    const std::string before = std::exchange(next.design.handles.at(handle).name, name);
     for (DepthRegion& region : next.depth)  // the order that it gives
         if (!before.empty() && region.name == before) region.name = name;
     return next;
@@ -139,10 +119,10 @@ Project withHandleName(const Project& project, int handle, const std::string& na
 
 Project withDepthName(const Project& project, int group, const std::string& wish) {
     Project next = project;
-    auto& handles = std::get<Design<2>>(next.design).handles;
+    auto& handles = next.design.handles;
     const std::string before = namedRegions(project.depth).at(group).name;
     next.depth = withRegionsName(project.depth, group, wish, namesOf(handles));
-    for (Handle<2>& handle : handles)
+    for (Pin& handle : handles)
         if (!before.empty() && handle.name == before) handle.name = namedRegions(next.depth)[group].name;
     return next;
 }
@@ -157,12 +137,11 @@ void renameDepth(Document& document, const QString& step, int group, const std::
 
 namespace {
 
-template <int Dim>
-void letGo(Design<Dim>& design, const std::vector<int>& handles, double time) {
+void letGo(Design& design, const std::vector<int>& handles, double time) {
     const bool moved = hasMotion(design);
-    std::vector<Handle<Dim>> kept;
+    std::vector<Pin> kept;
     for (std::size_t i = 0; i < design.handles.size(); ++i) {
-        Handle<Dim> handle = design.handles[i];
+        Pin handle = design.handles[i];
         const bool removed = std::find(handles.begin(), handles.end(), static_cast<int>(i)) != handles.end();
         const bool hasActed = moved && time > 0 && handle.activeFrom < time;
         if (removed && (!hasActed || handle.activeTo <= time)) continue;
@@ -176,13 +155,12 @@ void letGo(Design<Dim>& design, const std::vector<int>& handles, double time) {
 }
 
 /// Returns consecutive motions along the path; none for pauses.
-template <int Dim>
-std::vector<Motion<Dim>> motionsAlong(const Grip& grip, const std::vector<Amount>& path,
-                                      const std::vector<double>& times) {
-    std::vector<Motion<Dim>> motions;
+std::vector<PinMotion> motionsAlong(const Grip& grip, const std::vector<Amount>& path,
+                                    const std::vector<double>& times) {
+    std::vector<PinMotion> motions;
     for (std::size_t i = 1; i < path.size(); ++i) {
         if (path[i] == path[i - 1]) continue;
-        Motion<Dim> motion = motionBetween<Dim>(grip, path[i - 1], path[i]);
+        PinMotion motion = motionBetween(grip, path[i - 1], path[i]);
         motion.start = times[i - 1];
         motion.end = times[i];
         motions.push_back(std::move(motion));
@@ -210,59 +188,54 @@ struct Room {
 
 /// Appends the gesture: earlier motion shrinks in proportion to the path lengths, unless the user has timed
 /// it (`isTimed`). Then the film becomes longer.
-template <int Dim>
 Room roomAtTheEnd(const Project& project, const Gesture& gesture, bool isTimed) {
     const auto timed = [&](Project before, double begin) -> Room {
-        return {std::move(before), timesByLength<3>(gesture.path, begin, project.end)};
+        return {std::move(before), timesByLength(gesture.path, begin, project.end)};
     };
-    if (!hasMotion(designOf<Dim>(project))) return timed(project, 0);
+    if (!hasMotion(designOf(project))) return timed(project, 0);
     Project before = endedAt(project, gesture.from);
     if (gesture.from <= 0) return timed(std::move(before), 0);
     if (isTimed) {  // what was timed keeps its times
         before.end = gesture.from + kAppended;
-        return {std::move(before), timesByLength<3>(gesture.path, gesture.from, gesture.from + kAppended)};
+        return {std::move(before), timesByLength(gesture.path, gesture.from, gesture.from + kAppended)};
     }
-    const double length = pathLength<Dim>(design<Dim>(before).handles, gesture.arm);
+    const double length = pathLength(before.design.handles, gesture.arm);
     const double breakpoint = breakpointAfter(length, gestureLength(gesture), project.end);
     return timed(withTimesMoved(std::move(before), gesture.from, breakpoint), breakpoint);
 }
 
 /// Adds the gesture parallel to the others, which keep their times. Its handles hold as long as they move.
-template <int Dim>
 Room roomBeside(const Project& project, const Gesture& gesture, std::vector<double> times) {
     Room room{project, std::move(times)};
     const double end = room.times.back();
-    room.project.end = hasMotion(designOf<Dim>(project)) ? std::max(project.end, end) : end;
+    room.project.end = hasMotion(designOf(project)) ? std::max(project.end, end) : end;
     for (const int h : gesture.handles) {
-        Handle<Dim>& handle = design<Dim>(room.project).handles.at(h);
+        Pin& handle = room.project.design.handles.at(h);
         endMotionsAt(handle, gesture.from);
         if (handle.activeTo < end) handle.activeTo = std::numeric_limits<double>::infinity();
     }
     return room;
 }
 
-template <int Dim>
 Room roomFor(const Project& project, const Gesture& gesture, bool isTimed) {
     std::vector<double> times = gesture.times;
     for (double& time : times) time += gesture.from;
-    if (!times.empty()) return roomBeside<Dim>(project, gesture, std::move(times));
-    if (gesture.endsAll || takesTheEnd(project, gesture.from))
-        return roomAtTheEnd<Dim>(project, gesture, isTimed);
-    return roomBeside<Dim>(project, gesture, timesByLength<3>(gesture.path, gesture.from, project.end));
+    if (!times.empty()) return roomBeside(project, gesture, std::move(times));
+    if (gesture.endsAll || takesTheEnd(project, gesture.from)) return roomAtTheEnd(project, gesture, isTimed);
+    return roomBeside(project, gesture, timesByLength(gesture.path, gesture.from, project.end));
 }
 
-template <int Dim>
-Project withGestureIn(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts,
+Project withGestureIn(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts,
                       bool isTimed) {
-    auto [next, times] = roomFor<Dim>(project, gesture, isTimed);
+    auto [next, times] = roomFor(project, gesture, isTimed);
     for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
-        auto& own = design<Dim>(next).handles.at(gesture.handles[i]).motions;
+        auto& own = next.design.handles.at(gesture.handles[i]).motions;
         if (gesture.grip.kind == Grip::Kind::Move) {
-            own.push_back(recorded<Dim>(starts[i], gesture.path, times));
-            if (!gesture.curve.empty()) own.back().kind = drawn<Dim>(starts[i], gesture.curve);
+            own.push_back(recorded(starts[i], gesture.path, times));
+            if (!gesture.curve.empty()) own.back().kind = drawn(starts[i], gesture.curve);
             continue;
         }
-        const auto motions = motionsAlong<Dim>(gesture.grip, gesture.path, times);
+        const auto motions = motionsAlong(gesture.grip, gesture.path, times);
         own.insert(own.end(), motions.begin(), motions.end());
     }
     return next;
@@ -270,57 +243,54 @@ Project withGestureIn(const Project& project, const Gesture& gesture, const std:
 
 }  // namespace
 
-AnyDesign withoutHandles(const AnyDesign& design, const std::vector<int>& handles, double time) {
-    AnyDesign next = design;
-    std::visit([&](auto& own) { letGo(own, handles, time); }, next);
+Design withoutHandles(const Design& design, const std::vector<int>& handles, double time) {
+    Design next = design;
+    letGo(next, handles, time);
     return next;
 }
 
-template <int Dim>
-Project withStroke(const Project& project, const std::vector<int>& handles,
-                   const std::vector<Vec<Dim>>& starts, const std::vector<Vec<Dim>>& offsets) {
+Project withStroke(const Project& project, const std::vector<int>& handles, const std::vector<Vec3>& starts,
+                   const std::vector<Vec3>& offsets) {
     Gesture gesture{handles, {}, {}, motionEnd(project)};
-    for (const Vec<Dim>& offset : offsets) gesture.path.push_back(amountOf<Dim>(offset));
-    return withGesture<Dim>(project, gesture, starts);
+    for (const Vec3& offset : offsets) gesture.path.push_back(offset);
+    return withGesture(project, gesture, starts);
 }
 
-template <int Dim>
-Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step,
+Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec3& step,
                          double arm, bool atTheEnd) {
     Project before = project;
-    std::vector<Vec<Dim>> starts, offsets;
+    std::vector<Vec3> starts, offsets;
     double start = project.end;
     for (const int h : handles) {
-        auto& motions = design<Dim>(before).handles.at(h).motions;
-        const std::vector<Vec<Dim>> points = std::get<Recorded<Dim>>(motions.back().kind).points;
+        auto& motions = before.design.handles.at(h).motions;
+        const std::vector<Vec3> points = std::get<Recorded<3>>(motions.back().kind).points;
         starts.push_back(points.front());
         offsets.clear();
-        for (const Vec<Dim>& p : points) offsets.push_back(p - points.front());
+        for (const Vec3& p : points) offsets.push_back(p - points.front());
         start = motions.back().start;
         motions.pop_back();
     }
     offsets.push_back(offsets.back() + step);
     Gesture gesture{handles, {}, {}, start, arm};
     gesture.endsAll = atTheEnd;
-    for (const Vec<Dim>& offset : simplified<Dim>(offsets, 0)) gesture.path.push_back(amountOf<Dim>(offset));
-    return withGestureIn<Dim>(before, gesture, starts, hasOwnTiming(project));
+    for (const Vec3& offset : simplified<3>(offsets, 0)) gesture.path.push_back(offset);
+    return withGestureIn(before, gesture, starts, hasOwnTiming(project));
 }
 
-template <int Dim>
-Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts) {
-    return withGestureIn<Dim>(project, gesture, starts, hasOwnTiming(project));
+Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts) {
+    return withGestureIn(project, gesture, starts, hasOwnTiming(project));
 }
 
-template <int Dim>
-std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double tolerance) {
-    std::vector<Vec<Dim>> distinct;
-    for (const Vec<Dim>& p : path)
+template <int Size>
+std::vector<Vec<Size>> simplified(const std::vector<Vec<Size>>& path, double tolerance) {
+    std::vector<Vec<Size>> distinct;
+    for (const Vec<Size>& p : path)
         if (distinct.empty() || p != distinct.back()) distinct.push_back(p);
     if (distinct.size() < 3) return distinct;
     std::vector<bool> keep(distinct.size(), false);
     keep.front() = keep.back() = true;
-    keepFarthest<Dim>(distinct, 0, distinct.size() - 1, tolerance, keep);
-    std::vector<Vec<Dim>> result;
+    keepFarthest<Size>(distinct, 0, distinct.size() - 1, tolerance, keep);
+    std::vector<Vec<Size>> result;
     for (std::size_t i = 0; i < distinct.size(); ++i)
         if (keep[i]) result.push_back(distinct[i]);
     return result;
@@ -335,32 +305,13 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
         differs = differs || next != name;
         name = next;
     };
-    std::visit(
-        [&](auto& design) {
-            for (auto& handle : design.handles) rename(handle.name);
-            for (auto& region : design.material.regions) rename(region.name);
-        },
-        renamed->design);
+    for (Pin& handle : renamed->design.handles) rename(handle.name);
+    for (MaterialRegion& region : renamed->design.material.regions) rename(region.name);
     return differs ? renamed : project;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                                \
-    template bool hasMotion(const Design<Dim>&);                                                             \
-    template bool movesAfter(const Design<Dim>&, double);                                                    \
-    template bool isActive(const Handle<Dim>&, double);                                                      \
-    template Design<Dim> withHandle<Dim>(const Design<Dim>&, Placement<Dim>, const std::string&, double,     \
-                                         const std::string&);                                                \
-    template Design<Dim> withHandlePlace<Dim>(const Design<Dim>&, int, Placement<Dim>);                      \
-    template Project withStroke<Dim>(const Project&, const std::vector<int>&, const std::vector<Vec<Dim>>&,  \
-                                     const std::vector<Vec<Dim>>&);                                          \
-    template Project withLongerStroke<Dim>(const Project&, const std::vector<int>&, const Vec<Dim>&, double, \
-                                           bool);                                                            \
-    template Project withGesture<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&);         \
-    template std::vector<Vec<Dim>> simplified<Dim>(const std::vector<Vec<Dim>>&, double)
-
-template std::vector<Vec<4>> simplified<4>(const std::vector<Vec<4>>&, double);
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
+template std::vector<Vec<2>> simplified<2>(const std::vector<Vec<2>>&, double);
+template std::vector<Vec3> simplified<3>(const std::vector<Vec3>&, double);
+template std::vector<Vec<4>> simplified<4>(const std::vector<Vec<4>>&, double);  // with times
 
 }  // namespace wend

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/project/edits/grip.h"
+#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
-#include "core/motion/handle.h"
 
 class QString;
 
@@ -18,28 +18,23 @@ class Document;
 /// Edits that gestures of the window make: pure functions from a project to the next. Those that take points
 /// use the project's dimension.
 
-template <int Dim>
-bool hasMotion(const Design<Dim>& design);
+bool hasMotion(const Design& design);
 /// Returns whether a handle moves after a time.
-template <int Dim>
-bool movesAfter(const Design<Dim>& design, double time);
+bool movesAfter(const Design& design, double time);
 /// Returns the end of the motion: the film's length if something moves, else 0.
 double motionEnd(const Project& project);
 /// Returns whether a gesture from there would follow all other motion.
 bool takesTheEnd(const Project& project, double from);
 /// Returns whether the handle acts at time t; one that ends at t does not.
-template <int Dim>
-bool isActive(const Handle<Dim>& handle, double t);
+bool isActive(const Pin& handle, double t);
 /// A handle that holds from a time on; from the start if nothing has moved by then.
-template <int Dim>
-Design<Dim> withHandle(const Design<Dim>& design, Placement<Dim> at, const std::string& name, double time = 0,
-                       const std::string& part = {});
+Design withHandle(const Design& design, Placement<3> at, const std::string& name, double time = 0,
+                  const std::string& part = {});
 /// Other names for its handles and layers; the same project where none differs.
 std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& project,
                                          const std::function<std::string(const std::string&)>& nameOf);
 /// Returns the design with other points or another name of a handle; its depth regions are renamed, too.
-template <int Dim>
-Design<Dim> withHandlePlace(const Design<Dim>& design, int handle, Placement<Dim> at);
+Design withHandlePlace(const Design& design, int handle, Placement<3> at);
 Project withHandleName(const Project& project, int handle, const std::string& name);
 /// Renames a group of namedRegions() of the depth, and the handle that it belongs to.
 Project withDepthName(const Project& project, int group, const std::string& wish);
@@ -48,7 +43,7 @@ void renameHandle(Document& document, const QString& step, int handle, const std
 void renameDepth(Document& document, const QString& step, int group, const std::string& wish);
 
 /// Releases handles at a time, or removes them if they did not act before (or were already released).
-AnyDesign withoutHandles(const AnyDesign& design, const std::vector<int>& handles, double time);
+Design withoutHandles(const Design& design, const std::vector<int>& handles, double time);
 
 /// The result of a gesture: handles that follow a path of amounts, which starts at zero.
 struct Gesture {
@@ -70,21 +65,18 @@ struct Gesture {
 /// segment if it rotates or scales. `starts` are the handles' places at its beginning. A recording is added
 /// in parallel, too, keeps its duration, and lengthens the film if necessary. The first motion of all gives
 /// the film the recording's length.
-template <int Dim>
-Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts);
+Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts);
 /// A move at the end of the motion, by offsets of which the first is zero.
-template <int Dim = 2>
-Project withStroke(const Project& project, const std::vector<int>& handles,
-                   const std::vector<Vec<Dim>>& starts, const std::vector<Vec<Dim>>& offsets);
+Project withStroke(const Project& project, const std::vector<int>& handles, const std::vector<Vec3>& starts,
+                   const std::vector<Vec3>& offsets);
 /// Puts another offset at the end of the last motion of the handles, which was a move, at the end of the film
 /// or since an earlier time.
-template <int Dim = 2>
-Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec<Dim>& step,
+Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec3& step,
                          double arm = 1, bool atTheEnd = true);
 
 /// The points that are needed for a polyline within `tolerance` of the given one (Douglas and Peucker); ends
 /// are kept, neighbours that coincide are merged.
-template <int Dim>
-std::vector<Vec<Dim>> simplified(const std::vector<Vec<Dim>>& path, double tolerance);
+template <int Size>
+std::vector<Vec<Size>> simplified(const std::vector<Vec<Size>>& path, double tolerance);
 
 }  // namespace wend

@@ -20,11 +20,11 @@ struct KeyId {
     auto operator<=>(const KeyId&) const = default;
 };
 /// Returns the times of a handle's key poses, increasing.
-std::vector<double> keyTimes(const AnyDesign& design, int handle);
+std::vector<double> keyTimes(const Design& design, int handle);
 
 /// Returns the possible shift in time nearest to the wanted one: every key stays between those of its handle
 /// that do not move along, and within the time that the handle holds.
-double fittedShift(const AnyDesign& design, const std::vector<KeyId>& keys, double wanted);
+double fittedShift(const Design& design, const std::vector<KeyId>& keys, double wanted);
 /// Moves keys in time, as far as possible. Motions on either side become longer or shorter. If a key is moved
 /// beyond the end of the film, the film becomes longer.
 std::shared_ptr<const Project> withKeysMoved(const Project& project, const std::vector<KeyId>& keys,
@@ -33,18 +33,18 @@ std::shared_ptr<const Project> withKeysMoved(const Project& project, const std::
 /// Removes key poses. The handle then moves in a straight line from the previous key to the next one; one
 /// that rotates or grows on either side does so all the way. If there is no next key, it stays at the
 /// previous one; if there is no previous key, it starts from its rest place.
-AnyDesign withoutKeys(const AnyDesign& design, std::vector<KeyId> keys);
+Design withoutKeys(const Design& design, std::vector<KeyId> keys);
 
 /// Holds the handle from each key to the next one, and leads it from there to the one after that.
-AnyDesign withKeysHeld(const AnyDesign& design, std::vector<KeyId> keys);
+Design withKeysHeld(const Design& design, std::vector<KeyId> keys);
 
 /// Says whether a handle slows down before a key, and starts slowly after it.
 struct KeyEase {
     bool before = false, after = false;
     bool operator==(const KeyEase&) const = default;
 };
-KeyEase easeAt(const AnyDesign& design, const KeyId& key);
-AnyDesign withKeyEase(const AnyDesign& design, const std::vector<KeyId>& keys, const KeyEase& ease);
+KeyEase easeAt(const Design& design, const KeyId& key);
+Design withKeyEase(const Design& design, const std::vector<KeyId>& keys, const KeyEase& ease);
 
 /// A key pose to be set elsewhere: how long it is after the first one that was copied, and how far its handle
 /// is from its place at the beginning.
@@ -55,15 +55,13 @@ struct CopiedKey {
     KeyEase ease = {};
 };
 /// Returns keys in the order of time. `starts` are the places of all handles at their beginning.
-template <int Dim>
-std::vector<CopiedKey> copiedKeys(const Design<Dim>& design, const std::vector<KeyId>& keys,
-                                  const std::vector<Vec<Dim>>& starts);
+std::vector<CopiedKey> copiedKeys(const Design& design, const std::vector<KeyId>& keys,
+                                  const std::vector<Vec3>& starts);
 /// Sets copied poses, the first one at a time. Motions around them are led through them as by withPose(); the
 /// film becomes longer if necessary. `pasted` gets the keys that there are now; poses that cannot be set are
 /// none of them.
-template <int Dim>
 std::shared_ptr<const Project> withKeysPasted(const Project& project, const std::vector<CopiedKey>& copies,
-                                              double time, const std::vector<Vec<Dim>>& starts,
+                                              double time, const std::vector<Vec3>& starts,
                                               std::vector<KeyId>& pasted);
 
 }  // namespace wend

@@ -8,31 +8,26 @@ namespace wend {
 
 namespace {
 
-/// Calls with the material's regions of either dimension.
+/// Returns the design after a change of the material's regions.
 template <class Change>
-AnyDesign changed(const AnyDesign& design, const Change& change) {
-    auto next = design;
-    std::visit([&](auto& own) { change(own.material.regions); }, next);
+Design changed(const Design& design, const Change& change) {
+    Design next = design;
+    change(next.material.regions);
     return next;
 }
 
 /// Returns the names of the groups in the order of their first regions.
-template <int Dim>
-std::vector<std::string> groupNames(const Design<Dim>& design) {
+std::vector<std::string> groupNames(const Design& design) {
     std::vector<std::string> names;
     for (const auto& region : design.material.regions)
         if (std::find(names.begin(), names.end(), region.name) == names.end()) names.push_back(region.name);
     return names;
 }
-std::vector<std::string> groupNames(const AnyDesign& design) {
-    return std::visit([](const auto& own) { return groupNames(own); }, design);
-}
 
 }  // namespace
 
-template <int Dim>
-std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design) {
-    std::vector<RegionGroup<Dim>> groups;
+std::vector<RegionGroup> regionGroups(const Design& design) {
+    std::vector<RegionGroup> groups;
     for (const auto& region : design.material.regions) {
         auto it =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == region.name; });
@@ -51,15 +46,13 @@ std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design) {
     return groups;
 }
 
-template <int Dim>
-std::size_t layerEnd(std::span<const MaterialRegion<Dim>> regions) {
+std::size_t layerEnd(std::span<const MaterialRegion> regions) {
     const auto other = std::ranges::find_if(
         regions, [&](const auto& region) { return region.name != regions.front().name; });
     return static_cast<std::size_t>(other - regions.begin());
 }
 
-template <int Dim>
-std::size_t layerBegin(const Design<Dim>& design, const std::string& name) {
+std::size_t layerBegin(const Design& design, const std::string& name) {
     const auto& all = design.material.regions;
     std::size_t at = all.size();
     while (at > 0 && all[at - 1].name != name) --at;
@@ -68,13 +61,11 @@ std::size_t layerBegin(const Design<Dim>& design, const std::string& name) {
     return at;
 }
 
-template <int Dim>
-Design<Dim> withStroke(const Design<Dim>& design, const std::string& layer,
-                       std::vector<MaterialRegion<Dim>> regions) {
+Design withStroke(const Design& design, const std::string& layer, std::vector<MaterialRegion> regions) {
     auto next = design;
     auto& all = next.material.regions;
-    const std::span<const MaterialRegion<Dim>> upper = std::span(all).subspan(layerBegin(design, layer));
-    auto at = all.end() - std::ssize(upper) + (upper.empty() ? 0 : std::ptrdiff_t(layerEnd<Dim>(upper)));
+    const std::span<const MaterialRegion> upper = std::span(all).subspan(layerBegin(design, layer));
+    auto at = all.end() - std::ssize(upper) + (upper.empty() ? 0 : std::ptrdiff_t(layerEnd(upper)));
     for (auto& region : regions) {
         region.name = layer;
         at = std::next(all.insert(at, std::move(region)));
@@ -82,9 +73,8 @@ Design<Dim> withStroke(const Design<Dim>& design, const std::string& layer,
     return next;
 }
 
-template <int Dim>
-Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
-                           const MaterialPaint<Dim>& paint, bool keepAxes) {
+Design withGroupPaint(const Design& design, const std::string& name, const MaterialPaint& paint,
+                      bool keepAxes) {
     auto next = design;
     for (auto& region : next.material.regions) {
         if (region.name != name || region.erases()) continue;
@@ -99,56 +89,52 @@ Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
     return next;
 }
 
-AnyDesign withGroupFeather(const AnyDesign& design, const std::string& name, double feather) {
+Design withGroupFeather(const Design& design, const std::string& name, double feather) {
     return changed(design, [&](auto& regions) {
         for (auto& region : regions)
             if (region.name == name && !region.erases()) region.feather = feather;
     });
 }
 
-bool isGroupHidden(const AnyDesign& design, const std::string& name) {
-    return std::visit(
-        [&](const auto& own) {
-            const auto& regions = own.material.regions;
-            return std::any_of(regions.begin(), regions.end(),
-                               [&](const auto& region) { return region.name == name && region.hidden; });
-        },
-        design);
+bool isGroupHidden(const Design& design, const std::string& name) {
+    return std::ranges::any_of(design.material.regions, [&](const MaterialRegion& region) {
+        return region.name == name && region.hidden;
+    });
 }
 
-AnyDesign withGroupHidden(const AnyDesign& design, const std::string& name, bool hidden) {
+Design withGroupHidden(const Design& design, const std::string& name, bool hidden) {
     return changed(design, [&](auto& regions) {
         for (auto& region : regions)
             if (region.name == name) region.hidden = hidden;
     });
 }
 
-AnyDesign withPictures(const AnyDesign& design, const std::string& name, const Box<2>& box,
-                       const MaterialPictures& pictures) {
+Design withPictures(const Design& design, const std::string& name, const Box<2>& box,
+                    const MaterialPictures& pictures) {
     auto next = design;
-    MaterialRegion<2> region;
+    MaterialRegion region;
     region.name = freeGroupName(design, {}, name);
-    region.shape = box;
+    region.shape = Box<3>{inSpace(box.min), inSpace(box.max)};
     region.pictures = pictures;
-    std::get<Design<2>>(next).material.regions.push_back(std::move(region));
+    next.material.regions.push_back(std::move(region));
     return next;
 }
 
-AnyDesign withPicturesReread(const AnyDesign& design, const std::string& name) {
+Design withPicturesReread(const Design& design, const std::string& name) {
     return changed(design, [&](auto& regions) {
         for (auto& region : regions)
             if (region.name == name) ++region.pictures.readings;
     });
 }
 
-std::string freeGroupName(const AnyDesign& design, const std::string& name, const std::string& wish) {
+std::string freeGroupName(const Design& design, const std::string& name, const std::string& wish) {
     std::vector<std::string> taken = groupNames(design);
     std::erase(taken, name);
     const bool isTaken = std::find(taken.begin(), taken.end(), wish) != taken.end();
     return isTaken ? freeName(taken, wish, 2) : wish;
 }
 
-AnyDesign withGroupName(const AnyDesign& design, const std::string& name, const std::string& next) {
+Design withGroupName(const Design& design, const std::string& name, const std::string& next) {
     const std::string free = freeGroupName(design, name, next);
     return changed(design, [&](auto& regions) {
         for (auto& region : regions)
@@ -156,7 +142,7 @@ AnyDesign withGroupName(const AnyDesign& design, const std::string& name, const 
     });
 }
 
-AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int by) {
+Design withGroupMoved(const Design& design, const std::string& name, int by) {
     std::vector<std::string> order = groupNames(design);
     const auto it = std::find(order.begin(), order.end(), name);
     if (it == order.end()) return design;
@@ -173,7 +159,7 @@ AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int b
     });
 }
 
-std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std::string& name) {
+std::optional<Design> withGroupMergedDown(const Design& design, const std::string& name) {
     const std::vector<std::string> order = groupNames(design);
     const auto upper = std::ranges::find(order, name);
     if (upper == order.end() || upper == order.begin()) return {};
@@ -189,56 +175,36 @@ std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std:
     return differs ? std::nullopt : std::optional(std::move(next));
 }
 
-AnyDesign withoutGroup(const AnyDesign& design, const std::string& name) {
+Design withoutGroup(const Design& design, const std::string& name) {
     return changed(design, [&](auto& regions) {
         std::erase_if(regions, [&](const auto& region) { return region.name == name; });
     });
 }
 
-AnyDesign withCellsFile(const AnyDesign& design, const std::string& file) {
+Design withCellsFile(const Design& design, const std::string& file) {
     auto next = design;
-    std::visit(
-        [&](auto& own) {
-            own.material.cellsFile = file;
-            own.material.cellsPhi.clear();
-            own.material.cellsB.clear();
-            own.material.cellPhi.clear();
-            own.material.cellB.clear();
-        },
-        next);
+    next.material.cellsFile = file;
+    next.material.cellsPhi.clear();
+    next.material.cellsB.clear();
+    next.material.cellPhi.clear();
+    next.material.cellB.clear();
     return next;
 }
 
-AnyDesign withoutCells(const AnyDesign& design) {
+Design withoutCells(const Design& design) {
     return withCellsFile(design, {});
 }
 
-AnyDesign withAllHidden(const AnyDesign& design) {
+Design withAllHidden(const Design& design) {
     return changed(design, [](auto& regions) {
         for (auto& region : regions) region.hidden = true;
     });
 }
 
-bool isPainted(const AnyDesign& design) {
-    return std::visit(
-        [](const auto& one) {
-            const auto& [regions, cells] = std::tie(one.material.regions, one.material.cellPhi);
-            return !cells.empty() ||
-                   std::ranges::any_of(regions, [](const auto& region) { return !region.hidden; });
-        },
-        design);
+bool isPainted(const Design& design) {
+    return !design.material.cellPhi.empty() ||
+           std::ranges::any_of(design.material.regions,
+                               [](const MaterialRegion& region) { return !region.hidden; });
 }
-
-#define WEND_INSTANTIATE(Dim)                                                        \
-    template std::size_t layerEnd<Dim>(std::span<const MaterialRegion<Dim>>);        \
-    template std::size_t layerBegin<Dim>(const Design<Dim>&, const std::string&);    \
-    template Design<Dim> withStroke<Dim>(const Design<Dim>&, const std::string&,     \
-                                         std::vector<MaterialRegion<Dim>>);          \
-    template std::vector<RegionGroup<Dim>> regionGroups<Dim>(const Design<Dim>&);    \
-    template Design<Dim> withGroupPaint<Dim>(const Design<Dim>&, const std::string&, \
-                                             const MaterialPaint<Dim>&, bool)
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

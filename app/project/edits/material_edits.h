@@ -11,67 +11,59 @@
 namespace wend {
 
 /// Material values of a region.
-template <int Dim>
 struct MaterialPaint {
     std::optional<double> phi;
-    std::optional<Stiffness<Dim>> stiffness;
+    std::optional<Stiffness> stiffness;
 };
 
 /// Regions of one name: the strokes of a layer, or regions from a file. Values are those of the first region
 /// that paints unless noted.
-template <int Dim>
 struct RegionGroup {
     std::string name;
     int count = 0;  // of those that paint
     double feather = 0;
-    MaterialPaint<Dim> paint = {};
+    MaterialPaint paint = {};
     MaterialPictures pictures = {};
     bool hidden = false;
-    std::optional<Vec<Dim>> axis = {};  // of the first that is stiff
-    bool oneAxis = true;                // all that are stiff are so along it
+    std::optional<Vec3> axis = {};  // of the first that is stiff
+    bool oneAxis = true;            // all that are stiff are so along it
 };
-template <int Dim>
-std::vector<RegionGroup<Dim>> regionGroups(const Design<Dim>& design);
+std::vector<RegionGroup> regionGroups(const Design& design);
 
 /// Returns how many regions from the first on belong to one layer: those of the same name.
-template <int Dim>
-std::size_t layerEnd(std::span<const MaterialRegion<Dim>> regions);
+std::size_t layerEnd(std::span<const MaterialRegion> regions);
 /// Returns the index of a layer's first region, of the topmost layer if several match; past the end if there
 /// is none.
-template <int Dim>
-std::size_t layerBegin(const Design<Dim>& design, const std::string& name);
+std::size_t layerBegin(const Design& design, const std::string& name);
 /// Adds regions on top of their layer; a new layer is added on top of all.
-template <int Dim>
-Design<Dim> withStroke(const Design<Dim>& design, const std::string& layer,
-                       std::vector<MaterialRegion<Dim>> regions);
+Design withStroke(const Design& design, const std::string& layer, std::vector<MaterialRegion> regions);
 /// Returns the design with another material in the group of that name. `keepAxes`: stiff regions keep their
 /// direction.
-template <int Dim>
-Design<Dim> withGroupPaint(const Design<Dim>& design, const std::string& name,
-                           const MaterialPaint<Dim>& paint, bool keepAxes = false);
-AnyDesign withGroupFeather(const AnyDesign& design, const std::string& name, double feather);
-bool isGroupHidden(const AnyDesign& design, const std::string& name);
-AnyDesign withGroupHidden(const AnyDesign& design, const std::string& name, bool hidden);
+Design withGroupPaint(const Design& design, const std::string& name, const MaterialPaint& paint,
+                      bool keepAxes = false);
+Design withGroupFeather(const Design& design, const std::string& name, double feather);
+bool isGroupHidden(const Design& design, const std::string& name);
+Design withGroupHidden(const Design& design, const std::string& name, bool hidden);
 /// Pictures of the material over a box, as a layer on top, named as that.
-AnyDesign withPictures(const AnyDesign& design, const std::string& name, const Box<2>& box,
-                       const MaterialPictures& pictures);
+Design withPictures(const Design& design, const std::string& name, const Box<2>& box,
+                    const MaterialPictures& pictures);
 /// The group's pictures are read again from their files.
-AnyDesign withPicturesReread(const AnyDesign& design, const std::string& name);
+Design withPicturesReread(const Design& design, const std::string& name);
 /// Returns the wanted name, with a number appended if another group has it.
-std::string freeGroupName(const AnyDesign& design, const std::string& name, const std::string& wish);
-AnyDesign withGroupName(const AnyDesign& design, const std::string& name, const std::string& next);
+std::string freeGroupName(const Design& design, const std::string& name, const std::string& wish);
+Design withGroupName(const Design& design, const std::string& name, const std::string& next);
 /// The group by that many groups further up, where it wins over more of the others; down if negative.
-AnyDesign withGroupMoved(const AnyDesign& design, const std::string& name, int by);
+Design withGroupMoved(const Design& design, const std::string& name, int by);
 /// Merges the group into the one below. Returns nothing if that would change the result: if the upper one
 /// erases, one is hidden, or one consists of pictures.
-std::optional<AnyDesign> withGroupMergedDown(const AnyDesign& design, const std::string& name);
+std::optional<Design> withGroupMergedDown(const Design& design, const std::string& name);
 /// Returns the design without the group and its regions.
-AnyDesign withoutGroup(const AnyDesign& design, const std::string& name);
+Design withoutGroup(const Design& design, const std::string& name);
 /// Sets or removes the file of values per cell.
-AnyDesign withCellsFile(const AnyDesign& design, const std::string& file);
-AnyDesign withoutCells(const AnyDesign& design);
-AnyDesign withAllHidden(const AnyDesign& design);
+Design withCellsFile(const Design& design, const std::string& file);
+Design withoutCells(const Design& design);
+Design withAllHidden(const Design& design);
 /// Returns whether the material of any place differs from that of the whole.
-bool isPainted(const AnyDesign& design);
+bool isPainted(const Design& design);
 
 }  // namespace wend

@@ -4,110 +4,85 @@ namespace wend {
 
 namespace {
 
-template <int Dim>
-void mirrorAll(std::vector<Vec<Dim>>& points, const Mirror<Dim>& mirror) {
-    for (Vec<Dim>& p : points) p = mirror(p);
+void mirrorAll(std::vector<Vec3>& points, const Mirror& mirror) {
+    for (Vec3& p : points) p = mirror(p);
 }
 
-template <int Dim>
-void change(Translate<Dim>& move, const Mirror<Dim>& mirror) {
+void change(Translate<3>& move, const Mirror& mirror) {
     move.by = mirror.along(move.by);
 }
-/// Mirrors an axis of rotation: a = −S a for the reflection S.
-template <int Dim>
-void change(Rotate<Dim>& rotate, const Mirror<Dim>& mirror) {
+/// Mirrors an axis of rotation: a = −S a for the reflection S. One that stays in place keeps its direction,
+/// as in pictures, where rotations are about +z.
+void change(Rotate<3>& rotate, const Mirror& mirror) {
     rotate.centre = mirror(rotate.centre);
-    if (Dim == 2)
+    const Vec3 axis = mirror.along(rotate.axis);
+    if (axis == rotate.axis)
         rotate.angle = -rotate.angle;
     else
-        rotate.axis = -mirror.along(rotate.axis);
+        rotate.axis = -axis;
 }
-template <int Dim>
-void change(CurveMotion<Dim>& curve, const Mirror<Dim>& mirror) {
+void change(CurveMotion<3>& curve, const Mirror& mirror) {
     mirrorAll(curve.points, mirror);
     curve.twist = -curve.twist;
 }
-template <int Dim>
-void change(Recorded<Dim>& stroke, const Mirror<Dim>& mirror) {
+void change(Recorded<3>& stroke, const Mirror& mirror) {
     mirrorAll(stroke.points, mirror);
 }
 
 /// Mirrors the displacements, not the vertices. They differ from those of the file, which is named no more.
-template <int Dim>
-void change(FieldMotion<Dim>& motion, const Mirror<Dim>& mirror) {
-    auto values = std::make_shared<Displacements<Dim>>(*motion.values);
+void change(FieldMotion<3>& motion, const Mirror& mirror) {
+    auto values = std::make_shared<Displacements<3>>(*motion.values);
     for (auto& [vertex, displacement] : *values) displacement = mirror.along(displacement);
     motion = {"", "", std::move(values)};
 }
 /// The rotation S R S of a reflection S has the vector −S w.
-template <int Dim>
-void change(PoseMotion<Dim>& motion, const Mirror<Dim>& mirror) {
+void change(PoseMotion<3>& motion, const Mirror& mirror) {
     motion.file.clear();
-    for (RigidPose<Dim>& pose : motion.poses) {
+    for (RigidPose<3>& pose : motion.poses) {
         pose.position = mirror(pose.position);
-        if constexpr (Dim == 2)
-            pose.rotation = -pose.rotation;
-        else
-            pose.rotation = -mirror.along(pose.rotation);
+        pose.rotation = -mirror.along(pose.rotation);
     }
 }
 
-void change(Polygon& polygon, const Mirror<2>& mirror) {
-    mirrorAll(polygon.points, mirror);
+void change(Polygon& polygon, const Mirror& mirror) {
+    for (Vec<2>& p : polygon.points) p = inPlane(mirror(inSpace(p)));
 }
-template <int Dim>
-void change(Ball<Dim>& ball, const Mirror<Dim>& mirror) {
+void change(Ball<3>& ball, const Mirror& mirror) {
     ball.centre = mirror(ball.centre);
 }
-template <int Dim>
-void change(Box<Dim>& box, const Mirror<Dim>& mirror) {
-    const Vec<Dim> a = mirror(box.min), b = mirror(box.max);
+void change(Box<3>& box, const Mirror& mirror) {
+    const Vec3 a = mirror(box.min), b = mirror(box.max);
     box = {a.cwiseMin(b), a.cwiseMax(b)};
 }
-template <int Dim>
-void change(HalfSpace<Dim>& half, const Mirror<Dim>& mirror) {
+void change(HalfSpace<3>& half, const Mirror& mirror) {
     half = {mirror(half.point), mirror.along(half.normal)};
 }
-template <int Dim>
-void change(Blend<Dim>& blend, const Mirror<Dim>& mirror) {
+void change(Blend<3>& blend, const Mirror& mirror) {
     blend = {mirror(blend.from), mirror(blend.to)};
 }
 
 }  // namespace
 
-template <int Dim>
-Vec<Dim> Mirror<Dim>::operator()(Vec<Dim> p) const {
+Vec3 Mirror::operator()(Vec3 p) const {
     p[axis] = 2 * at - p[axis];
     return p;
 }
 
-template <int Dim>
-Vec<Dim> Mirror<Dim>::along(Vec<Dim> direction) const {
+Vec3 Mirror::along(Vec3 direction) const {
     direction[axis] = -direction[axis];
     return direction;
 }
 
-template <int Dim>
-Motion<Dim> mirrored(const Motion<Dim>& motion, const Mirror<Dim>& mirror) {
-    Motion<Dim> image = motion;
+PinMotion mirrored(const PinMotion& motion, const Mirror& mirror) {
+    PinMotion image = motion;
     std::visit([&mirror](auto& kind) { change(kind, mirror); }, image.kind);
     return image;
 }
 
-template <int Dim>
-Region<Dim> mirrored(const Region<Dim>& region, const Mirror<Dim>& mirror) {
-    Region<Dim> image = region;
+Region<3> mirrored(const Region<3>& region, const Mirror& mirror) {
+    Region<3> image = region;
     std::visit([&mirror](auto& shape) { change(shape, mirror); }, image);
     return image;
 }
-
-#define WEND_INSTANTIATE(Dim)                                              \
-    template struct Mirror<Dim>;                                           \
-    template Motion<Dim> mirrored(const Motion<Dim>&, const Mirror<Dim>&); \
-    template Region<Dim> mirrored<Dim>(const Region<Dim>&, const Mirror<Dim>&)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -1,24 +1,21 @@
 #pragma once
 
-#include "core/motion/handle.h"
+#include "app/project/pin.h"
 
 namespace wend {
 
 /// Mirrors one coordinate, at an upright or level line of a picture, or a plane in space across an axis.
-template <int Dim>
 struct Mirror {
     int axis = 0;
     double at = 0;
 
     /// Mirrors a place, and a direction.
-    Vec<Dim> operator()(Vec<Dim> p) const;
-    Vec<Dim> along(Vec<Dim> direction) const;
+    Vec3 operator()(Vec3 p) const;
+    Vec3 along(Vec3 direction) const;
 };
 
 /// Returns the mirror image of the motion, with its rotations.
-template <int Dim>
-Motion<Dim> mirrored(const Motion<Dim>& motion, const Mirror<Dim>& mirror);
-template <int Dim>
-Region<Dim> mirrored(const Region<Dim>& region, const Mirror<Dim>& mirror);
+PinMotion mirrored(const PinMotion& motion, const Mirror& mirror);
+Region<3> mirrored(const Region<3>& region, const Mirror& mirror);
 
 }  // namespace wend

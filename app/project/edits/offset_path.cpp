@@ -17,16 +17,14 @@ constexpr int kSamples = 48;     // of a motion that is no polygon in time
 constexpr double kApart = 1e-9;  // of a motion's duration, between its samples
 
 /// Returns the offset of a recording at a fraction of its own time.
-template <int Dim>
-Vec<Dim> offsetAt(const Recorded<Dim>& stroke, double s) {
+Vec3 offsetAt(const Recorded<3>& stroke, double s) {
     const double time = std::lerp(stroke.times.front(), stroke.times.back(), s);
-    return OffsetPath<Dim>{stroke.times, stroke.points}.at(time) - stroke.points.front();
+    return OffsetPath{stroke.times, stroke.points}.at(time) - stroke.points.front();
 }
 
 /// Returns shares of a motion's duration at which it is sampled: even ones, that of a time, and those of the
 /// corners, which are given as shares of the path.
-template <int Dim>
-std::set<double> sampleShares(const Motion<Dim>& motion, double time, const std::vector<double>& corners) {
+std::set<double> sampleShares(const PinMotion& motion, double time, const std::vector<double>& corners) {
     std::set<double> shares = {0, 1};
     const auto add = [&](double s) {
         const auto after = shares.lower_bound(s);
@@ -39,12 +37,10 @@ std::set<double> sampleShares(const Motion<Dim>& motion, double time, const std:
 }
 
 /// Returns a chain of cubics that is led as its parameter goes: it stays one, with its easing.
-template <int Dim>
-Motion<Dim> ledChain(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last,
-                     const Vec<Dim>& place) {
-    Motion<Dim> result = motion;
-    auto& points = std::get<CurveMotion<Dim>>(result.kind).points;
-    const Vec<Dim> start = points.front();
+PinMotion ledChain(const PinMotion& motion, const Vec3& by, double first, double last, const Vec3& place) {
+    PinMotion result = motion;
+    auto& points = std::get<CurveMotion<3>>(result.kind).points;
+    const Vec3 start = points.front();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(points.size() - 1);
         points[i] += place - start + (std::lerp(first, last, share) - first) * by;
@@ -54,8 +50,7 @@ Motion<Dim> ledChain(const Motion<Dim>& motion, const Vec<Dim>& by, double first
 
 }  // namespace
 
-template <int Dim>
-Vec<Dim> OffsetPath<Dim>::at(double time) const {
+Vec3 OffsetPath::at(double time) const {
     const auto after = std::ranges::lower_bound(times, time) - times.begin();
     if (after == 0) return offsets.front();
     const auto i = std::min(static_cast<std::size_t>(after), times.size() - 1);
@@ -63,41 +58,39 @@ Vec<Dim> OffsetPath<Dim>::at(double time) const {
     return offsets[i - 1] + std::clamp(part, 0.0, 1.0) * (offsets[i] - offsets[i - 1]);
 }
 
-template <int Dim>
-OffsetPath<Dim> OffsetPath<Dim>::led(const Vec<Dim>& by, double first, double last) const {
+OffsetPath OffsetPath::led(const Vec3& by, double first, double last) const {
     OffsetPath result = *this;
     for (std::size_t i = 0; i < times.size(); ++i)
         result.offsets[i] +=
             by * std::lerp(first, last, (times[i] - times.front()) / (times.back() - times.front()));
-    const Vec<Dim> start = result.offsets.front();
-    for (Vec<Dim>& offset : result.offsets) offset -= start;
+    const Vec3 start = result.offsets.front();
+    for (Vec3& offset : result.offsets) offset -= start;
     return result;
 }
 
-template <int Dim>
-std::optional<OffsetPath<Dim>> offsetPathOf(const Motion<Dim>& motion, double time) {
+std::optional<OffsetPath> offsetPathOf(const PinMotion& motion, double time) {
     const auto timeAt = [&](double s) { return std::lerp(motion.start, motion.end, s); };
-    OffsetPath<Dim> path;
+    OffsetPath path;
     const auto sample = [&](auto&& offset, const std::vector<double>& corners = {}) {
-        for (const double s : sampleShares<Dim>(motion, time, corners)) {
+        for (const double s : sampleShares(motion, time, corners)) {
             path.times.push_back(timeAt(s));
             path.offsets.push_back(offset(ease(motion.ease, s)));
         }
     };
     const bool isEven = motion.ease == Ease::Linear;
-    if (const auto* translate = std::get_if<Translate<Dim>>(&motion.kind)) {
+    if (const auto* translate = std::get_if<Translate<3>>(&motion.kind)) {
         if (isEven)
-            path = {{motion.start, motion.end}, {Vec<Dim>::Zero(), translate->by}};
+            path = {{motion.start, motion.end}, {Vec3::Zero(), translate->by}};
         else
-            sample([&](double u) { return Vec<Dim>(u * translate->by); });
+            sample([&](double u) { return Vec3(u * translate->by); });
         return path;
     }
-    if (const auto* stroke = std::get_if<Recorded<Dim>>(&motion.kind)) {
+    if (const auto* stroke = std::get_if<Recorded<3>>(&motion.kind)) {
         const double from = stroke->times.front(), length = stroke->times.back() - from;
         if (!isEven) {
             std::vector<double> corners;
             for (const double own : stroke->times) corners.push_back((own - from) / length);
-            sample([&](double u) { return offsetAt<Dim>(*stroke, u); }, corners);
+            sample([&](double u) { return offsetAt(*stroke, u); }, corners);
             return path;
         }
         for (std::size_t i = 0; i < stroke->times.size(); ++i) {
@@ -106,32 +99,30 @@ std::optional<OffsetPath<Dim>> offsetPathOf(const Motion<Dim>& motion, double ti
         }
         return path;
     }
-    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+    const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
     if (!curve || curve->frame != FrameKind::None || curve->scale != 1 || curve->twist != 0) return {};
-    const Curve<Dim> line = curveOf<Dim>(*curve);
+    const Curve<3> line = curveOf(*curve);
     std::vector<double> corners;
-    for (const CurvePiece<Dim>& piece : line.pieces) corners.push_back(piece.from);
+    for (const CurvePiece<3>& piece : line.pieces) corners.push_back(piece.from);
     sample(
         [&](double u) {
             const int k = line.locate(u, 0, static_cast<int>(line.pieces.size()));
-            return Vec<Dim>(line.pieces[k].value(line.pieces[k].local(u)) - line.pieces.front().value(0));
+            return Vec3(line.pieces[k].value(line.pieces[k].local(u)) - line.pieces.front().value(0));
         },
         corners);
     return path;
 }
 
-template <int Dim>
-std::optional<Vec<Dim>> offsetOf(const Motion<Dim>& motion) {
-    const auto path = offsetPathOf<Dim>(motion, motion.end);
+std::optional<Vec3> offsetOf(const PinMotion& motion) {
+    const auto path = offsetPathOf(motion, motion.end);
     return path ? std::optional(path->offsets.back()) : std::nullopt;
 }
 
-template <int Dim>
-Motion<Dim> motionAlong(const OffsetPath<Dim>& path, const Vec<Dim>& place) {
+PinMotion motionAlong(const OffsetPath& path, const Vec3& place) {
     const double from = path.times.front(), length = path.times.back() - from;
     if (path.times.size() == 2)
-        return {Translate<Dim>{path.offsets.back() - path.offsets.front()}, from, path.times.back()};
-    Recorded<Dim> stroke;
+        return {Translate<3>{path.offsets.back() - path.offsets.front()}, from, path.times.back()};
+    Recorded<3> stroke;
     for (std::size_t i = 0; i < path.times.size(); ++i) {
         const bool isLast = i + 1 == path.times.size();
         const double s = isLast ? 1 : (path.times[i] - from) / length;
@@ -139,20 +130,19 @@ Motion<Dim> motionAlong(const OffsetPath<Dim>& path, const Vec<Dim>& place) {
         stroke.times.push_back(s);
         stroke.points.push_back(place + path.offsets[i]);
     }
-    Motion<Dim> motion;
+    PinMotion motion;
     motion.kind = std::move(stroke);
     motion.start = from;
     motion.end = path.times.back();
     return motion;
 }
 
-template <int Dim>
-std::pair<OffsetPath<Dim>, OffsetPath<Dim>> split(const OffsetPath<Dim>& path, double time) {
-    const Vec<Dim> middle = path.at(time);
-    std::pair<OffsetPath<Dim>, OffsetPath<Dim>> parts;
+std::pair<OffsetPath, OffsetPath> split(const OffsetPath& path, double time) {
+    const Vec3 middle = path.at(time);
+    std::pair<OffsetPath, OffsetPath> parts;
     parts.second = {{time}, {middle}};
     for (std::size_t i = 0; i < path.times.size(); ++i) {
-        OffsetPath<Dim>& part = path.times[i] < time ? parts.first : parts.second;
+        OffsetPath& part = path.times[i] < time ? parts.first : parts.second;
         if (path.times[i] == time) continue;
         part.times.push_back(path.times[i]);
         part.offsets.push_back(path.offsets[i]);
@@ -162,37 +152,23 @@ std::pair<OffsetPath<Dim>, OffsetPath<Dim>> split(const OffsetPath<Dim>& path, d
     return parts;
 }
 
-template <int Dim>
-std::optional<Motion<Dim>> led(const Motion<Dim>& motion, const Vec<Dim>& by, double first, double last,
-                               const Vec<Dim>& place) {
-    if (const auto* straight = std::get_if<Translate<Dim>>(&motion.kind)) {
-        Motion<Dim> result = motion;
-        result.kind = Translate<Dim>{straight->by + (last - first) * by};
+std::optional<PinMotion> led(const PinMotion& motion, const Vec3& by, double first, double last,
+                             const Vec3& place) {
+    if (const auto* straight = std::get_if<Translate<3>>(&motion.kind)) {
+        PinMotion result = motion;
+        result.kind = Translate<3>{straight->by + (last - first) * by};
         return result;
     }
-    if (straightProgress<Dim>(motion)) {
-        const auto& points = std::get<CurveMotion<Dim>>(motion.kind).points;
-        const Vec<Dim> way = points.back() - points.front() + (last - first) * by;
-        return straightMove<Dim>(way, {motion.start, motion.end}, *straightProgress<Dim>(motion), place);
+    if (straightProgress(motion)) {
+        const auto& points = std::get<CurveMotion<3>>(motion.kind).points;
+        const Vec3 way = points.back() - points.front() + (last - first) * by;
+        return straightMove(way, {motion.start, motion.end}, *straightProgress(motion), place);
     }
-    const auto* chain = std::get_if<CurveMotion<Dim>>(&motion.kind);
-    const auto path = offsetPathOf<Dim>(motion, motion.end);
+    const auto* chain = std::get_if<CurveMotion<3>>(&motion.kind);
+    const auto path = offsetPathOf(motion, motion.end);
     if (path && chain && chain->interpolation == Interpolation::Bezier)
-        return ledChain<Dim>(motion, by, first, last, place);
-    return path ? std::optional(motionAlong<Dim>(path->led(by, first, last), place)) : std::nullopt;
+        return ledChain(motion, by, first, last, place);
+    return path ? std::optional(motionAlong(path->led(by, first, last), place)) : std::nullopt;
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                         \
-    template struct OffsetPath<Dim>;                                                                  \
-    template std::optional<OffsetPath<Dim>> offsetPathOf<Dim>(const Motion<Dim>&, double);            \
-    template std::optional<Vec<Dim>> offsetOf<Dim>(const Motion<Dim>&);                               \
-    template std::pair<OffsetPath<Dim>, OffsetPath<Dim>> split<Dim>(const OffsetPath<Dim>&, double);  \
-    template Motion<Dim> motionAlong<Dim>(const OffsetPath<Dim>&, const Vec<Dim>&);                   \
-    template std::optional<Motion<Dim>> led<Dim>(const Motion<Dim>&, const Vec<Dim>&, double, double, \
-                                                 const Vec<Dim>&)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

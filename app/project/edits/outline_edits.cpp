@@ -23,14 +23,15 @@ namespace {
 
 /// Removes points of handles outside an outline, and handles without points; of one part, or of all.
 int removeOutside(Project& project, const Outline& outline, const std::string* part) {
-    auto& handles = std::get<Design<2>>(project.design).handles;
-    const auto counts = [part](const Handle<2>& handle) { return !part || handle.part == *part; };
-    for (Handle<2>& handle : handles)
-        if (auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at); points && counts(handle))
-            std::erase_if(*points,
-                          [&](const Vec<2>& p) { return !isInside(outline, p) && !isOn(outline, p); });
-    return static_cast<int>(std::erase_if(handles, [](const Handle<2>& handle) {
-        const auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at);
+    auto& handles = project.design.handles;
+    const auto counts = [part](const Pin& handle) { return !part || handle.part == *part; };
+    for (Pin& handle : handles)
+        if (auto* points = std::get_if<std::vector<Vec3>>(&handle.at); points && counts(handle))
+            std::erase_if(*points, [&](const Vec3& p) {
+                return !isInside(outline, inPlane(p)) && !isOn(outline, inPlane(p));
+            });
+    return static_cast<int>(std::erase_if(handles, [](const Pin& handle) {
+        const auto* points = std::get_if<std::vector<Vec3>>(&handle.at);
         return points && points->empty();
     }));
 }

@@ -38,10 +38,10 @@ std::shared_ptr<const Project> withPartName(const Project& project, int part, co
         rename(one.ridesOn);
         for (Joint& joint : one.joints) rename(joint.to);
     }
-    for (Handle<2>& handle : designOf<2>(*next).handles) rename(handle.part);
-    for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) rename(region.part);
+    for (Pin& handle : designOf(*next).handles) rename(handle.part);
+    for (MaterialRegion& region : designOf(*next).material.regions) rename(region.part);
     for (DepthRegion& region : depthOf(*next)) rename(region.part);
-    for (SizeRegionIn<2>& region : domainOf(*next).flatSizes) rename(region.part);
+    for (SizeRegion& region : domainOf(*next).sizes) rename(region.part);
     return next;
 }
 
@@ -65,9 +65,9 @@ std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart
     if (made.joint) part.joints.push_back({made.from, *made.joint});
     domain.parts.insert(std::ranges::find(domain.parts, made.from, &PicturePart::name), std::move(part));
     if (made.heldGround) {
-        Handle<2>& ground = designOf<2>(*next).handles.emplace_back();
+        Pin& ground = designOf(*next).handles.emplace_back();
         ground.name = ground.part = made.from;
-        ground.at = Region<2>(*made.heldGround);
+        ground.at = Region<3>(*made.heldGround);
         ground.traits.locked = true;  // a drag beside the new part would take it along
     }
     return next;
@@ -138,10 +138,10 @@ std::shared_ptr<const Project> withoutParts(const Project& project, const std::s
     auto next = copyOf(project);
     domainOf(*next).parts.clear();
     domainOf(*next).path = path;
-    for (Handle<2>& handle : designOf<2>(*next).handles) handle.part.clear();
-    for (MaterialRegion<2>& region : designOf<2>(*next).material.regions) region.part.clear();
+    for (Pin& handle : designOf(*next).handles) handle.part.clear();
+    for (MaterialRegion& region : designOf(*next).material.regions) region.part.clear();
     for (DepthRegion& region : depthOf(*next)) region.part.clear();
-    for (SizeRegionIn<2>& region : domainOf(*next).flatSizes) region.part.clear();
+    for (SizeRegion& region : domainOf(*next).sizes) region.part.clear();
     return next;
 }
 

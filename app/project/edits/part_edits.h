@@ -24,7 +24,7 @@ struct NewPart {
     Outline cut;
     double feather = 0;                // of its edge
     std::optional<Vec<2>> joint;       // where it is welded to the other one
-    std::optional<Box<2>> heldGround;  // what a new handle holds of the other one
+    std::optional<Box<3>> heldGround;  // what a new handle holds of the other one
 };
 
 /// A project with a new part in front of the one that it is cut from, which is filled behind it.

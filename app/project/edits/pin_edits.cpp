@@ -7,16 +7,12 @@ namespace wend {
 
 namespace {
 
-HandleTraits& traitsIn(AnyDesign& design, int handle) {
-    return std::visit([handle](auto& own) -> HandleTraits& { return own.handles.at(handle).traits; }, design);
-}
-
-int countOf(const AnyDesign& design) {
-    return static_cast<int>(std::visit([](const auto& own) { return own.handles.size(); }, design));
+int countOf(const Design& design) {
+    return static_cast<int>(design.handles.size());
 }
 
 template <class Test>
-std::vector<int> handlesWhere(const AnyDesign& design, Test test) {
+std::vector<int> handlesWhere(const Design& design, Test test) {
     std::vector<int> found;
     for (int h = 0; h < countOf(design); ++h)
         if (test(h, traitsOf(design, h))) found.push_back(h);
@@ -29,19 +25,18 @@ bool contains(const std::vector<int>& handles, int handle) {
 
 }  // namespace
 
-const HandleTraits& traitsOf(const AnyDesign& design, int handle) {
-    return std::visit(
-        [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; }, design);
+const HandleTraits& traitsOf(const Design& design, int handle) {
+    return design.handles.at(static_cast<std::size_t>(handle)).traits;
 }
 
-AnyDesign withTraits(const AnyDesign& design, const std::vector<int>& handles,
-                     const std::function<void(HandleTraits&)>& change) {
-    AnyDesign next = design;
-    for (const int h : handles) change(traitsIn(next, h));
+Design withTraits(const Design& design, const std::vector<int>& handles,
+                  const std::function<void(HandleTraits&)>& change) {
+    Design next = design;
+    for (const int h : handles) change(next.handles.at(static_cast<std::size_t>(h)).traits);
     return next;
 }
 
-std::vector<int> withLinked(const AnyDesign& design, std::vector<int> handles) {
+std::vector<int> withLinked(const Design& design, std::vector<int> handles) {
     const auto moves = [&](int h, const HandleTraits& traits) {
         return contains(handles, h) ||
                (traits.link > 0 && std::any_of(handles.begin(), handles.end(), [&](int other) {
@@ -51,25 +46,25 @@ std::vector<int> withLinked(const AnyDesign& design, std::vector<int> handles) {
     return handlesWhere(design, moves);
 }
 
-bool isLinked(const AnyDesign& design, int handle) {
+bool isLinked(const Design& design, int handle) {
     return withLinked(design, {handle}).size() > 1;
 }
 
-AnyDesign withLink(const AnyDesign& design, const std::vector<int>& handles) {
+Design withLink(const Design& design, const std::vector<int>& handles) {
     int maximum = 0;
     for (int h = 0; h < countOf(design); ++h) maximum = std::max(maximum, traitsOf(design, h).link);
     return withTraits(design, withLinked(design, handles),
                       [link = maximum + 1](HandleTraits& traits) { traits.link = link; });
 }
 
-AnyDesign withoutLink(const AnyDesign& design, const std::vector<int>& handles) {
+Design withoutLink(const Design& design, const std::vector<int>& handles) {
     const auto unlink = [](HandleTraits& traits) { traits.link = 0; };
-    const AnyDesign next = withTraits(design, handles, unlink);
+    const Design next = withTraits(design, handles, unlink);
     return withTraits(next, handlesWhere(next, [&](int h, const auto&) { return !isLinked(next, h); }),
                       unlink);
 }
 
-std::vector<std::string> groupNames(const AnyDesign& design) {
+std::vector<std::string> groupNames(const Design& design) {
     std::vector<std::string> names;
     for (int h = 0; h < countOf(design); ++h) {
         const std::string& group = traitsOf(design, h).group;
@@ -79,7 +74,7 @@ std::vector<std::string> groupNames(const AnyDesign& design) {
     return names;
 }
 
-std::vector<int> handlesOfGroup(const AnyDesign& design, const std::string& group) {
+std::vector<int> handlesOfGroup(const Design& design, const std::string& group) {
     return handlesWhere(design, [&](int, const HandleTraits& traits) { return traits.group == group; });
 }
 

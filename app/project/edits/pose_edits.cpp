@@ -19,18 +19,16 @@ namespace {
 /// Leads a path that is a cubic of the time, piece by piece, through a pose: exactly, because the
 /// displacement times a factor that is linear in time is a cubic, too. Returns the number of pieces before
 /// the pose.
-template <int Dim>
-std::size_t splitCubics(std::vector<TimedCubic<Dim>>& pieces, const Vec<Dim>& place, const Vec<Dim>& by,
-                        double time) {
+std::size_t splitCubics(std::vector<TimedCubic>& pieces, const Vec3& place, const Vec3& by, double time) {
     const auto at = std::ranges::find_if(pieces, [time](const auto& piece) { return time < piece.time.end; });
     const auto before = static_cast<std::size_t>(at - pieces.begin()) + 1;
     const MotionTime own = at->time;
-    const std::vector<Vec<Dim>> both = splitBezier<Dim>({at->points.begin(), at->points.end()}, 0,
-                                                        (time - own.start) / (own.end - own.start));
+    const std::vector<Vec3> both =
+        splitBezier({at->points.begin(), at->points.end()}, 0, (time - own.start) / (own.end - own.start));
     *at = {{both[0], both[1], both[2], both[3]}, {own.start, time}};
     pieces.insert(at + 1, {{both[3], both[4], both[5], both[6]}, {time, own.end}});
     const double start = pieces.front().time.start, end = pieces.back().time.end;
-    for (TimedCubic<Dim>& piece : pieces)
+    for (TimedCubic& piece : pieces)
         for (std::size_t k = 0; k < 4; ++k) {
             const double t = std::lerp(piece.time.start, piece.time.end, static_cast<double>(k) / 3);
             const double factor = t <= time ? (t - start) / (time - start) : (end - t) / (end - time);
@@ -40,62 +38,57 @@ std::size_t splitCubics(std::vector<TimedCubic<Dim>>& pieces, const Vec<Dim>& pl
 }
 
 /// Returns whether a pose at a time leaves none of the pieces too short.
-template <int Dim>
-bool hasRoom(const std::vector<TimedCubic<Dim>>& pieces, double time) {
-    return !pieces.empty() && std::ranges::all_of(pieces, [time](const TimedCubic<Dim>& piece) {
+bool hasRoom(const std::vector<TimedCubic>& pieces, double time) {
+    return !pieces.empty() && std::ranges::all_of(pieces, [time](const TimedCubic& piece) {
         return std::abs(piece.time.start - time) >= kShortestMotion &&
                std::abs(piece.time.end - time) >= kShortestMotion;
     });
 }
 
 /// Adds motions along pieces. Those of a chain, which take equal times, stay one.
-template <int Dim>
-void addPieces(std::vector<Motion<Dim>>& motions, std::span<const TimedCubic<Dim>> pieces, bool isChain) {
+void addPieces(std::vector<PinMotion>& motions, std::span<const TimedCubic> pieces, bool isChain) {
     if (!isChain || pieces.size() < 2) {
-        for (const TimedCubic<Dim>& piece : pieces)
-            motions.push_back(cubicMove<Dim>(piece.points, piece.time));
+        for (const TimedCubic& piece : pieces) motions.push_back(cubicMove(piece.points, piece.time));
         return;
     }
-    CurveMotion<Dim> chain;
+    CurveMotion<3> chain;
     chain.points = {pieces.front().points.front()};
-    for (const TimedCubic<Dim>& piece : pieces)
+    for (const TimedCubic& piece : pieces)
         chain.points.insert(chain.points.end(), piece.points.begin() + 1, piece.points.end());
     motions.push_back({std::move(chain), pieces.front().time.start, pieces.back().time.end});
 }
 
 /// Returns a path of cubics that is led through a pose. A chain is divided at the ends of its piece around
 /// the time, a spline at each of its points, where its pieces take unequal times.
-template <int Dim>
-std::vector<Motion<Dim>> ledCubics(const Motion<Dim>& motion, std::vector<TimedCubic<Dim>> pieces,
-                                   const Vec<Dim>& place, const Vec<Dim>& by, double time) {
-    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
+std::vector<PinMotion> ledCubics(const PinMotion& motion, std::vector<TimedCubic> pieces, const Vec3& place,
+                                 const Vec3& by, double time) {
+    const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
     const bool isChain = curve && curve->interpolation == Interpolation::Bezier;
-    const std::size_t before = splitCubics<Dim>(pieces, place, by, time);
-    const std::span<const TimedCubic<Dim>> all(pieces);
-    std::vector<Motion<Dim>> result;
-    addPieces<Dim>(result, all.first(before - 1), isChain);
-    addPieces<Dim>(result, all.subspan(before - 1, 2), false);
-    addPieces<Dim>(result, all.subspan(before + 1), isChain);
+    const std::size_t before = splitCubics(pieces, place, by, time);
+    const std::span<const TimedCubic> all(pieces);
+    std::vector<PinMotion> result;
+    addPieces(result, all.first(before - 1), isChain);
+    addPieces(result, all.subspan(before - 1, 2), false);
+    addPieces(result, all.subspan(before + 1), isChain);
     return result;
 }
 
 /// Leads a motion that rotates, grows or deforms its handle, too, through a pose: an even rotation as two
 /// rotations about other centres, growth and fields exactly, others as two tables of poses.
-template <int Dim>
-bool splitOther(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
+bool splitOther(std::vector<PinMotion>& motions, std::size_t i, const Vec3& place, const Vec3& by,
                 double time) {
-    const Motion<Dim> own = motions[i];
-    auto parts = ledWhileGrowing<Dim>(own, by, time);
-    if (parts.empty()) parts = ledRotation<Dim>(own, by, time);
+    const PinMotion own = motions[i];
+    auto parts = ledWhileGrowing(own, by, time);
+    if (parts.empty()) parts = ledRotation(own, by, time);
     if (!parts.empty()) {
         const auto at = motions.erase(motions.begin() + static_cast<std::ptrdiff_t>(i));
         motions.insert(at, parts.begin(), parts.end());
         return true;
     }
-    const auto start = startOfRigid<Dim>(own, time, place);
+    const auto start = startOfRigid(own, time, place);
     if (!start) return false;
-    const auto before = ledRigidly<Dim>(own, {own.start, time}, *start, by, 0, 1);
-    const auto after = ledRigidly<Dim>(own, {time, own.end}, *start, by, 1, 0);
+    const auto before = ledRigidly(own, {own.start, time}, *start, by, 0, 1);
+    const auto after = ledRigidly(own, {time, own.end}, *start, by, 1, 0);
     if (!before || !after) return false;
     motions[i] = *before;
     motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1, *after);
@@ -103,56 +96,52 @@ bool splitOther(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>
 }
 
 /// Returns the motion that ends at a pose, led there; nothing if it cannot be.
-template <int Dim>
-std::optional<Motion<Dim>> ledTo(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
-    if (const auto offset = offsetOf<Dim>(motion)) return led<Dim>(motion, by, 0, 1, place - *offset);
-    if (auto grown = ledGrowth<Dim>(motion, by, 0, 1); !grown.empty()) return grown.front();
-    if (auto turned = turnedTo<Dim>(motion, Vec<Dim>::Zero(), by)) return turned;
-    const auto start = startOfRigid<Dim>(motion, motion.end, place);
-    return start ? ledRigidly<Dim>(motion, {motion.start, motion.end}, *start, by, 0, 1) : std::nullopt;
+std::optional<PinMotion> ledTo(const PinMotion& motion, const Vec3& place, const Vec3& by) {
+    if (const auto offset = offsetOf(motion)) return led(motion, by, 0, 1, place - *offset);
+    if (auto grown = ledGrowth(motion, by, 0, 1); !grown.empty()) return grown.front();
+    if (auto turned = turnedTo(motion, Vec3::Zero(), by)) return turned;
+    const auto start = startOfRigid(motion, motion.end, place);
+    return start ? ledRigidly(motion, {motion.start, motion.end}, *start, by, 0, 1) : std::nullopt;
 }
 
 /// Returns the motion that starts at a pose, led from there; nothing if it cannot be.
-template <int Dim>
-std::optional<Motion<Dim>> ledFrom(const Motion<Dim>& motion, const Vec<Dim>& place, const Vec<Dim>& by) {
-    if (const auto on = led<Dim>(motion, by, 1, 0, place + by)) return on;
-    if (auto grown = ledGrowth<Dim>(motion, by, 1, 0); !grown.empty()) return grown.front();
-    if (auto turned = turnedTo<Dim>(motion, by, Vec<Dim>::Zero())) return turned;
-    return ledRigidly<Dim>(motion, {motion.start, motion.end}, place, by, 1, 0);
+std::optional<PinMotion> ledFrom(const PinMotion& motion, const Vec3& place, const Vec3& by) {
+    if (const auto on = led(motion, by, 1, 0, place + by)) return on;
+    if (auto grown = ledGrowth(motion, by, 1, 0); !grown.empty()) return grown.front();
+    if (auto turned = turnedTo(motion, by, Vec3::Zero())) return turned;
+    return ledRigidly(motion, {motion.start, motion.end}, place, by, 1, 0);
 }
 
 /// Leads the motion that contains the time through a pose, as two motions or more.
-template <int Dim>
-bool splitThrough(std::vector<Motion<Dim>>& motions, std::size_t i, const Vec<Dim>& place, const Vec<Dim>& by,
+bool splitThrough(std::vector<PinMotion>& motions, std::size_t i, const Vec3& place, const Vec3& by,
                   double time) {
     const bool isEven =
-        motions[i].ease == Ease::Linear && std::holds_alternative<Translate<Dim>>(motions[i].kind);
-    if (const auto pieces = cubicsOf<Dim>(motions[i]); !isEven && hasRoom<Dim>(pieces, time)) {
-        const auto parts = ledCubics<Dim>(motions[i], pieces, place, by, time);
+        motions[i].ease == Ease::Linear && std::holds_alternative<Translate<3>>(motions[i].kind);
+    if (const auto pieces = cubicsOf(motions[i]); !isEven && hasRoom(pieces, time)) {
+        const auto parts = ledCubics(motions[i], pieces, place, by, time);
         const auto at = motions.erase(motions.begin() + static_cast<std::ptrdiff_t>(i));
         motions.insert(at, parts.begin(), parts.end());
         return true;
     }
-    const auto path = offsetPathOf<Dim>(motions[i], time);
-    if (!path) return splitOther<Dim>(motions, i, place, by, time);
-    const auto [before, after] = split<Dim>(*path, time);
-    const Vec<Dim> start = place - path->at(time);
-    motions[i] = motionAlong<Dim>(before.led(by, 0, 1), start);
+    const auto path = offsetPathOf(motions[i], time);
+    if (!path) return splitOther(motions, i, place, by, time);
+    const auto [before, after] = split(*path, time);
+    const Vec3 start = place - path->at(time);
+    motions[i] = motionAlong(before.led(by, 0, 1), start);
     motions.insert(motions.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                   motionAlong<Dim>(after.led(by, 1, 0), place + by));
+                   motionAlong(after.led(by, 1, 0), place + by));
     return true;
 }
 
 }  // namespace
 
-template <int Dim>
-bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double time) {
+bool poseAt(Pin& handle, const Vec3& place, const Vec3& by, double time) {
     auto& motions = handle.motions;
     const auto isNear = [&](double t) { return std::abs(t - time) < kShortestMotion; };
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        const Motion<Dim>& own = motions[i];
+        const PinMotion& own = motions[i];
         if (own.start < time && time < own.end && !isNear(own.start) && !isNear(own.end))
-            return splitThrough<Dim>(motions, i, place, by, time);
+            return splitThrough(motions, i, place, by, time);
     }
     // At a key pose, or while the handle holds still.
     auto previous = motions.end();  // the one that ends nearest
@@ -162,10 +151,10 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
             previous = one;
     const auto next = std::find_if(previous == motions.end() ? motions.begin() : previous + 1, motions.end(),
                                    [&](const auto& one) { return one.start >= time || isNear(one.start); });
-    std::vector<Motion<Dim>> result(motions.begin(), previous == motions.end() ? next : previous);
+    std::vector<PinMotion> result(motions.begin(), previous == motions.end() ? next : previous);
     double key = time;
     if (previous != motions.end()) {
-        const auto before = ledTo<Dim>(*previous, place, by);
+        const auto before = ledTo(*previous, place, by);
         if (!before) return false;
         key = previous->end;
         result.push_back(*before);
@@ -174,12 +163,12 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
             std::max(result.empty() ? 0 : result.back().end, std::max(handle.activeFrom, 0.0));
         if (next != motions.end() && isNear(next->start)) key = next->start;
         if (key - from < kShortestMotion) return false;
-        result.push_back({Translate<Dim>{by}, from, key});
+        result.push_back({Translate<3>{by}, from, key});
     }
     if (next != motions.end()) {
         const bool follows = next->start - key < kShortestMotion;
         const auto path =
-            follows ? ledFrom<Dim>(*next, place, by) : Motion<Dim>{Translate<Dim>{-by}, key, next->start};
+            follows ? ledFrom(*next, place, by) : PinMotion{Translate<3>{-by}, key, next->start};
         if (!path) return false;
         result.push_back(*path);
         result.insert(result.end(), follows ? next + 1 : next, motions.end());
@@ -188,22 +177,19 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
     return true;
 }
 
-template <int Dim>
 std::optional<Project> withPose(const Project& project, const Gesture& gesture,
-                                const std::vector<Vec<Dim>>& starts) {
+                                const std::vector<Vec3>& starts) {
     if (gesture.grip.kind != Grip::Kind::Move) return {};
     Project next = project;
-    const Vec<Dim> by = gesture.path.back().template head<Dim>();
+    const Vec3 by = gesture.path.back();
     for (std::size_t i = 0; i < gesture.handles.size(); ++i) {
-        auto& handle =
-            std::get<Design<Dim>>(next.design).handles.at(static_cast<std::size_t>(gesture.handles[i]));
-        if (!poseAt<Dim>(handle, starts[i], by, gesture.from)) return {};
+        auto& handle = next.design.handles.at(static_cast<std::size_t>(gesture.handles[i]));
+        if (!poseAt(handle, starts[i], by, gesture.from)) return {};
     }
     return next;
 }
 
-template <int Dim>
-Project withPoseAppended(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts,
+Project withPoseAppended(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts,
                          double length) {
     Gesture added = gesture;
     added.from = project.end;
@@ -217,32 +203,19 @@ Project withPoseAppended(const Project& project, const Gesture& gesture, const s
         added.times.push_back(whole > 0 ? length * covered / whole : 0);
     }
     added.times.back() = length;
-    return withGesture<Dim>(project, added, starts);
+    return withGesture(project, added, starts);
 }
 
-template <int Dim>
 std::optional<Project> withLastMoveCorrected(const Project& project, const Gesture& gesture) {
     if (gesture.grip.kind != Grip::Kind::Move) return {};
     Project next = project;
     for (const int h : gesture.handles) {
-        auto& motions = std::get<Design<Dim>>(next.design).handles.at(static_cast<std::size_t>(h)).motions;
-        const auto offset = motions.empty() ? std::nullopt : offsetOf<Dim>(motions.back());
+        auto& motions = next.design.handles.at(static_cast<std::size_t>(h)).motions;
+        const auto offset = motions.empty() ? std::nullopt : offsetOf(motions.back());
         if (!offset || motions.back().end != project.end) return {};
-        motions.back().kind = Translate<Dim>{*offset + gesture.path.back().template head<Dim>()};
+        motions.back().kind = Translate<3>{*offset + gesture.path.back()};
     }
     return next;
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                            \
-    template bool poseAt<Dim>(Handle<Dim>&, const Vec<Dim>&, const Vec<Dim>&, double);                   \
-    template std::optional<Project> withPose<Dim>(const Project&, const Gesture&,                        \
-                                                  const std::vector<Vec<Dim>>&);                         \
-    template Project withPoseAppended<Dim>(const Project&, const Gesture&, const std::vector<Vec<Dim>>&, \
-                                           double);                                                      \
-    template std::optional<Project> withLastMoveCorrected<Dim>(const Project&, const Gesture&)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

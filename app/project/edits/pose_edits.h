@@ -10,8 +10,7 @@ namespace wend {
 
 /// Leads the motions of a handle, which is at a place at that time, through a pose beside it; see withPose().
 /// Returns false, and leaves the handle, if they cannot be led there.
-template <int Dim>
-bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, double time);
+bool poseAt(Pin& handle, const Vec3& place, const Vec3& by, double time);
 
 /// Sets where the handles of a gesture are at gesture.from, by the last point of its path. Their motion
 /// before the previous key pose and after the next one stays. In between, the path is led through the new
@@ -21,19 +20,16 @@ bool poseAt(Handle<Dim>& handle, const Vec<Dim>& place, const Vec<Dim>& by, doub
 /// their course and become tables of poses. Returns nothing for scalings and fields that are eased, unless
 /// the pose is at their ends, and at the start of a handle's time. `starts` are the handles' places at that
 /// time.
-template <int Dim>
 std::optional<Project> withPose(const Project& project, const Gesture& gesture,
-                                const std::vector<Vec<Dim>>& starts);
+                                const std::vector<Vec3>& starts);
 
 /// The same after all motion: the film becomes longer by `length`, in which the handles move to their new
 /// places; all times that there were stay.
-template <int Dim>
-Project withPoseAppended(const Project& project, const Gesture& gesture, const std::vector<Vec<Dim>>& starts,
+Project withPoseAppended(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts,
                          double length = 1);
 
 /// Replaces the last moves of the handles, which end with the film, by straight ones to their new places.
 /// Returns nothing if they are other kinds of motions.
-template <int Dim>
 std::optional<Project> withLastMoveCorrected(const Project& project, const Gesture& gesture);
 
 }  // namespace wend

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/project/edits/key_edits.h"
-#include "core/motion/handle.h"
+#include "app/project/pin.h"
 
 namespace wend {
 
@@ -28,41 +28,32 @@ Progress progressOf(Ease ease);
 std::optional<Ease> easeOf(const Progress& progress);
 
 /// Returns the progress of a motion on a straight line; nothing for any other motion.
-template <int Dim>
-std::optional<Progress> straightProgress(const Motion<Dim>& motion);
+std::optional<Progress> straightProgress(const PinMotion& motion);
 /// Returns a straight move from a place: with one of the four easings if it has that progress.
-template <int Dim>
-Motion<Dim> straightMove(const Vec<Dim>& by, const MotionTime& time, const Progress& progress,
-                         const Vec<Dim>& place);
+PinMotion straightMove(const Vec3& by, const MotionTime& time, const Progress& progress, const Vec3& place);
 /// Returns the control points of a motion that is one cubic of the time, relative to its start; nothing for
 /// any other motion.
-template <int Dim>
-std::optional<std::array<Vec<Dim>, 4>> cubicOf(const Motion<Dim>& motion);
+std::optional<std::array<Vec3, 4>> cubicOf(const PinMotion& motion);
 /// A cubic of the time: its control points relative to the start of a motion that it belongs to.
-template <int Dim>
 struct TimedCubic {
-    std::array<Vec<Dim>, 4> points;
+    std::array<Vec3, 4> points;
     MotionTime time;
 };
 /// Returns the cubics of the time that a motion consists of, one after another: also those of a polyline that
 /// is eased. None for any other motion. An eased curve of higher order is none: the cubics of its parameter,
 /// which is a quadratic or cubic of the time, are of the sixth or ninth order in time.
-template <int Dim>
-std::vector<TimedCubic<Dim>> cubicsOf(const Motion<Dim>& motion);
+std::vector<TimedCubic> cubicsOf(const PinMotion& motion);
 /// Returns the motion along a cubic of the time: a straight move where it is one.
-template <int Dim>
-Motion<Dim> cubicMove(const std::array<Vec<Dim>, 4>& points, const MotionTime& time);
+PinMotion cubicMove(const std::array<Vec3, 4>& points, const MotionTime& time);
 
 /// Says on which sides a motion is slow; those of one that is not eased by a curve are its easing's.
 struct SlowSides {
     bool start = false, end = false;
     bool operator==(const SlowSides&) const = default;
 };
-template <int Dim>
-SlowSides slowSidesOf(const Motion<Dim>& motion);
+SlowSides slowSidesOf(const PinMotion& motion);
 /// Lets a motion be slow on these sides.
-template <int Dim>
-void setSlowSides(Motion<Dim>& motion, const SlowSides& sides);
+void setSlowSides(PinMotion& motion, const SlowSides& sides);
 
 /// The progress of a motion as a curve editor shows it.
 struct ShownProgress {
@@ -72,15 +63,14 @@ struct ShownProgress {
 };
 /// Returns the progress of a motion. That of a recording or a drawn path is the curve nearest to the length
 /// of its path over time.
-ShownProgress shownProgress(const AnyDesign& design, const MotionId& motion);
+ShownProgress shownProgress(const Design& design, const MotionId& motion);
 /// Returns the motions between these keys. Where none is between two of them, it is the motion that begins at
 /// the key, or else that which ends there.
-std::vector<MotionId> motionsBetween(const AnyDesign& design, const std::vector<KeyId>& keys);
+std::vector<MotionId> motionsBetween(const Design& design, const std::vector<KeyId>& keys);
 /// Gives motions another progress at the same times. Straight moves stay straight; a recording keeps its path
 /// and loses its rhythm, and so does a drawn path unless it gets one of the four easings. Others have these
 /// only. `starts` are the places of all handles at their beginning.
-template <int Dim>
-Design<Dim> withProgress(const Design<Dim>& design, const std::vector<MotionId>& motions,
-                         const Progress& progress, const std::vector<Vec<Dim>>& starts);
+Design withProgress(const Design& design, const std::vector<MotionId>& motions, const Progress& progress,
+                    const std::vector<Vec3>& starts);
 
 }  // namespace wend

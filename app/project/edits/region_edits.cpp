@@ -15,10 +15,10 @@ auto& valueOf(auto& region) {
         return region.order;
 }
 
-MaterialRegion<2> placeOf(const SizeRegionIn<2>& region) {
+MaterialRegion placeOf(const SizeRegion& region) {
     return {region.name, region.shape, region.feather, {}, {}};
 }
-MaterialRegion<2> placeOf(const DepthRegion& region) {
+MaterialRegion placeOf(const DepthRegion& region) {
     return {region.name, region.shape, 0, {}, {}};
 }
 
@@ -73,7 +73,8 @@ std::vector<Entry> withoutRegions(std::vector<Entry> regions, int group) {
     template std::vector<Entry> withRegionsName(std::vector<Entry>, int, const std::string&, \
                                                 std::vector<std::string>);                   \
     template std::vector<Entry> withoutRegions(std::vector<Entry>, int)
-WEND_INSTANTIATE(SizeRegionIn<2>);
+
+WEND_INSTANTIATE(SizeRegion);
 WEND_INSTANTIATE(DepthRegion);
 #undef WEND_INSTANTIATE
 

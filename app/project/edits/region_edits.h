@@ -12,11 +12,11 @@ namespace wend {
 /// Regions of one name: a stroke, or the surroundings of a pin. Regions without a name stay separate.
 struct NamedRegions {
     std::string name;
-    double value = 0;  // of the first: the length of edges against elsewhere, or the order
-    std::vector<MaterialRegion<2>> regions;  // their shapes and feathers
+    double value = 0;                     // of the first: the length of edges against elsewhere, or the order
+    std::vector<MaterialRegion> regions;  // their shapes and feathers
 };
 
-// The listed regions of a picture: SizeRegionIn<2> for finer or coarser cells, and DepthRegion.
+// The listed regions of a picture: SizeRegion for finer or coarser cells, and DepthRegion.
 
 /// Returns the regions by name; later ones take precedence.
 template <class Entry>

@@ -13,8 +13,6 @@
 namespace wend {
 namespace {
 
-using Scaling = Carrying<2>;
-
 void scale(Outline& outline, double factor) {
     for (auto& loop : outline.loops)
         for (Vec<2>& p : loop) p *= factor;
@@ -35,30 +33,29 @@ void scale(PicturePart& part, double factor) {
     for (Joint& joint : part.joints) joint.at *= factor, joint.radius *= factor;
 }
 
-void scale(Handle<2>& handle, const Scaling& scaling) {
-    if (auto* points = std::get_if<std::vector<Vec<2>>>(&handle.at))
-        for (Vec<2>& p : *points) p = scaling(p);
-    if (auto* region = std::get_if<Region<2>>(&handle.at)) *region = carried<2>(*region, scaling);
-    for (Motion<2>& motion : handle.motions) motion = carried<2>(motion, scaling);
+void scale(Pin& handle, const Carrying& scaling) {
+    if (auto* points = std::get_if<std::vector<Vec3>>(&handle.at))
+        for (Vec3& p : *points) p = scaling(p);
+    if (auto* region = std::get_if<Region<3>>(&handle.at)) *region = carried(*region, scaling);
+    for (PinMotion& motion : handle.motions) motion = carried(motion, scaling);
 }
 
 }  // namespace
 
 void scalePixels(Project& project, double factor) {
     if (factor == 1 || project.dimension() != 2) return;
-    const Scaling scaling{Vec<2>::Zero(), Vec<2>::Zero(), factor};
+    const Carrying scaling{Vec3::Zero(), Vec3::Zero(), factor};
     Domain& domain = project.domain;
     domain.edge *= factor;
     scale(domain.alpha, factor);
     scale(domain.polygons, factor);
     for (PicturePart& part : domain.parts) scale(part, factor);
-    for (auto& region : domain.flatSizes)
-        region.shape = carried<2>(region.shape, scaling), region.feather *= factor;
-    for (DepthRegion& region : project.depth) region.shape = carried<2>(region.shape, scaling);
-    auto& design = designOf<2>(project);
+    for (auto& region : domain.sizes) region.shape = carried(region.shape, scaling), region.feather *= factor;
+    for (DepthRegion& region : project.depth) region.shape = carried(region.shape, scaling);
+    auto& design = designOf(project);
     for (auto& region : design.material.regions)
-        region.shape = carried<2>(region.shape, scaling), region.feather *= factor;
-    for (Handle<2>& handle : design.handles) scale(handle, scaling);
+        region.shape = carried(region.shape, scaling), region.feather *= factor;
+    for (Pin& handle : design.handles) scale(handle, scaling);
 }
 
 double factorBetween(const std::array<int, 2>& from, const std::array<int, 2>& to) {

@@ -16,10 +16,9 @@ namespace {
 constexpr std::array kFits = {Ease::Linear, Ease::InOut, Ease::In, Ease::Out};
 
 /// Returns whether a straight motion is near a part of a path at its samples, between which both are smooth.
-template <int Dim>
-bool fits(const OffsetPath<Dim>& path, std::size_t from, std::size_t to, Ease kind, double tolerance) {
-    const Vec<Dim>& start = path.offsets[from];
-    const Vec<Dim> by = path.offsets[to] - start;
+bool fits(const OffsetPath& path, std::size_t from, std::size_t to, Ease kind, double tolerance) {
+    const Vec3& start = path.offsets[from];
+    const Vec3 by = path.offsets[to] - start;
     for (std::size_t i = from + 1; i < to; ++i) {
         const double s = (path.times[i] - path.times[from]) / (path.times[to] - path.times[from]);
         if ((start + ease(kind, s) * by - path.offsets[i]).norm() > tolerance) return false;
@@ -28,30 +27,28 @@ bool fits(const OffsetPath<Dim>& path, std::size_t from, std::size_t to, Ease ki
 }
 
 /// Returns the straight motions along a path, each as long as possible.
-template <int Dim>
-std::vector<Motion<Dim>> straightParts(const OffsetPath<Dim>& path, double tolerance) {
-    std::vector<Motion<Dim>> parts;
+std::vector<PinMotion> straightParts(const OffsetPath& path, double tolerance) {
+    std::vector<PinMotion> parts;
     const std::size_t last = path.times.size() - 1;
     for (std::size_t from = 0, to = last; from < last; from = to, to = last) {
         auto kind = kFits.end();
         const auto find = [&] {
-            kind = std::ranges::find_if(kFits,
-                                        [&](Ease one) { return fits<Dim>(path, from, to, one, tolerance); });
+            kind =
+                std::ranges::find_if(kFits, [&](Ease one) { return fits(path, from, to, one, tolerance); });
             return kind != kFits.end();
         };
         while (!find()) --to;
         parts.push_back(
-            {Translate<Dim>{path.offsets[to] - path.offsets[from]}, path.times[from], path.times[to], *kind});
+            {Translate<3>{path.offsets[to] - path.offsets[from]}, path.times[from], path.times[to], *kind});
     }
     return parts;
 }
 
 /// Returns the path with samples that are close enough for the easing between them.
-template <int Dim>
-OffsetPath<Dim> refined(const OffsetPath<Dim>& path) {
+OffsetPath refined(const OffsetPath& path) {
     constexpr int kLeast = 64;
     const double step = (path.times.back() - path.times.front()) / kLeast;
-    OffsetPath<Dim> fine;
+    OffsetPath fine;
     for (std::size_t i = 0; i + 1 < path.times.size(); ++i) {
         const int parts = 1 + static_cast<int>((path.times[i + 1] - path.times[i]) / step);
         for (int k = 0; k < parts; ++k) {
@@ -64,13 +61,12 @@ OffsetPath<Dim> refined(const OffsetPath<Dim>& path) {
     return fine;
 }
 
-template <int Dim>
-void divide(std::vector<Motion<Dim>>& motions, int at, double tolerance) {
-    const Motion<Dim>& own = motions.at(static_cast<std::size_t>(at));
-    if (std::holds_alternative<Translate<Dim>>(own.kind)) return;
-    const auto path = offsetPathOf<Dim>(own, own.end);
+void divide(std::vector<PinMotion>& motions, int at, double tolerance) {
+    const PinMotion& own = motions.at(static_cast<std::size_t>(at));
+    if (std::holds_alternative<Translate<3>>(own.kind)) return;
+    const auto path = offsetPathOf(own, own.end);
     if (!path) return;
-    std::vector<Motion<Dim>> parts = straightParts<Dim>(refined<Dim>(*path), tolerance);
+    std::vector<PinMotion> parts = straightParts(refined(*path), tolerance);
     parts.front().start = own.start;
     parts.back().end = own.end;
     motions.erase(motions.begin() + at);
@@ -78,29 +74,24 @@ void divide(std::vector<Motion<Dim>>& motions, int at, double tolerance) {
 }
 
 template <class Edit>
-AnyDesign edited(AnyDesign design, const std::vector<MotionId>& motions, const Edit& edit) {
-    std::visit(
-        [&](auto& own) {
-            for (const MotionId& id : motions)
-                edit(own.handles.at(static_cast<std::size_t>(id.handle)).motions, id.motion);
-        },
-        design);
+Design edited(Design design, const std::vector<MotionId>& motions, const Edit& edit) {
+    for (const MotionId& id : motions)
+        edit(design.handles.at(static_cast<std::size_t>(id.handle)).motions, id.motion);
     return design;
 }
 
-template <int Dim>
-void straighten(std::vector<Motion<Dim>>& motions, int at) {
-    Motion<Dim>& own = motions.at(static_cast<std::size_t>(at));
-    if (const auto offset = offsetOf<Dim>(own)) own.kind = Translate<Dim>{*offset};
+void straighten(std::vector<PinMotion>& motions, int at) {
+    PinMotion& own = motions.at(static_cast<std::size_t>(at));
+    if (const auto offset = offsetOf(own)) own.kind = Translate<3>{*offset};
 }
 
 }  // namespace
 
-AnyDesign straightened(const AnyDesign& design, const std::vector<MotionId>& motions) {
+Design straightened(const Design& design, const std::vector<MotionId>& motions) {
     return edited(design, motions, [](auto& own, int at) { straighten(own, at); });
 }
 
-AnyDesign withFewKeys(const AnyDesign& design, std::vector<MotionId> motions, double tolerance) {
+Design withFewKeys(const Design& design, std::vector<MotionId> motions, double tolerance) {
     std::ranges::sort(motions, std::greater());  // the later ones first: the others keep their places
     return edited(design, motions, [=](auto& own, int at) { divide(own, at, tolerance); });
 }

@@ -38,14 +38,14 @@ Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, d
     return next;
 }
 
-Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
+Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double feather,
                           double factor, const std::string& part) {
     Domain next = domain;
-    auto& sizes = next.flatSizes;
-    const auto isHidden = [&](const SizeRegionIn<2>& region) {
-        const auto* own = std::get_if<Ball<2>>(&region.shape);
+    auto& sizes = next.sizes;
+    const auto isHidden = [&](const SizeRegion& region) {
+        const auto* own = std::get_if<Ball<3>>(&region.shape);
         const bool isReached = part.empty() || part == region.part;
-        return own && isReached && std::ranges::any_of(balls, [&](const Ball<2>& ball) {
+        return own && isReached && std::ranges::any_of(balls, [&](const Ball<3>& ball) {
                    return (ball.centre - own->centre).norm() + own->radius + region.feather / 2 <=
                           (1 + kSamePlaces) * ball.radius - feather / 2;
                });
@@ -53,7 +53,7 @@ Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& ball
     std::erase_if(sizes, isHidden);
     if (sizes.empty() && factor == 1) return next;
     const std::string name = freeName(namesOf(sizes), strokeName());
-    for (const Ball<2>& ball : balls) sizes.push_back({name, ball, feather, factor, {}, part});
+    for (const Ball<3>& ball : balls) sizes.push_back({name, ball, feather, factor, {}, part});
     return next;
 }
 

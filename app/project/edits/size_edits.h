@@ -19,7 +19,7 @@ std::vector<SizeGroup> sizeGroups(const Domain& domain);
 Domain withSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double factor);
 /// Adds a stroke in a picture, or in one of its parts, with that feather, and removes strokes that it covers
 /// completely.
-Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<2>>& balls, double feather,
+Domain withFlatSizeStroke(const Domain& domain, const std::vector<Ball<3>>& balls, double feather,
                           double factor, const std::string& part = {});
 /// Adds a region on top of all others, named "Region 1", "Region 2" …
 Domain withSizeRegion(const Domain& domain, const Region<3>& shape, double factor);

@@ -12,37 +12,32 @@ namespace wend {
 
 namespace {
 
-/// Calls `edit` with the motions of a handle, of either dimension.
+/// Calls `edit` with the motions of a handle.
 template <class Edit>
-AnyDesign edited(AnyDesign design, int handle, const Edit& edit) {
-    std::visit([&](auto& own) { edit(own.handles.at(static_cast<std::size_t>(handle)).motions); }, design);
+Design edited(Design design, int handle, const Edit& edit) {
+    edit(design.handles.at(static_cast<std::size_t>(handle)).motions);
     return design;
 }
 
 /// A straight move along a curve of progress becomes an eased one.
-template <int Dim>
-void setEase(Motion<Dim>& motion, Ease ease) {
-    if (straightProgress<Dim>(motion)) motion.kind = Translate<Dim>{*offsetOf<Dim>(motion)};
+void setEase(PinMotion& motion, Ease ease) {
+    if (straightProgress(motion)) motion.kind = Translate<3>{*offsetOf(motion)};
     motion.ease = ease;
 }
 
 /// Returns the interval in which a motion can be placed: between the other motions of its handle that do not
 /// move along, while the handle holds.
-MotionTime roomOf(const AnyDesign& design, const MotionId& of, const std::vector<MotionId>& along) {
+MotionTime roomOf(const Design& design, const MotionId& of, const std::vector<MotionId>& along) {
     const auto isLeft = [&](int motion) { return !isAmong(along, MotionId{of.handle, motion}); };
-    return std::visit(
-        [&](const auto& one) -> MotionTime {
-            const auto& own = one.handles.at(static_cast<std::size_t>(of.handle));
-            const auto at = static_cast<std::size_t>(of.motion);
-            const double before = at > 0 && isLeft(of.motion - 1) ? own.motions.at(at - 1).end : 0;
-            const bool follows = at + 1 < own.motions.size() && isLeft(of.motion + 1);
-            return {std::max(before, own.activeFrom), follows ? own.motions[at + 1].start : own.activeTo};
-        },
-        design);
+    const Pin& own = design.handles.at(static_cast<std::size_t>(of.handle));
+    const auto at = static_cast<std::size_t>(of.motion);
+    const double before = at > 0 && isLeft(of.motion - 1) ? own.motions.at(at - 1).end : 0;
+    const bool follows = at + 1 < own.motions.size() && isLeft(of.motion + 1);
+    return {std::max(before, own.activeFrom), follows ? own.motions[at + 1].start : own.activeTo};
 }
 
 /// Returns the possible end nearest to the wanted one if the other end of the span stays.
-double scaledEnd(const AnyDesign& design, const std::vector<MotionId>& motions, double stays, double end,
+double scaledEnd(const Design& design, const std::vector<MotionId>& motions, double stays, double end,
                  double wanted) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double low = -kInfinity, high = kInfinity, shortest = kInfinity;
@@ -62,17 +57,13 @@ double scaledEnd(const AnyDesign& design, const std::vector<MotionId>& motions, 
 
 }  // namespace
 
-MotionTime timeOf(const AnyDesign& design, int handle, int motion) {
-    return std::visit(
-        [=](const auto& one) -> MotionTime {
-            const auto& own =
-                one.handles.at(static_cast<std::size_t>(handle)).motions.at(static_cast<std::size_t>(motion));
-            return {own.start, own.end};
-        },
-        design);
+MotionTime timeOf(const Design& design, int handle, int motion) {
+    const PinMotion& own =
+        design.handles.at(static_cast<std::size_t>(handle)).motions.at(static_cast<std::size_t>(motion));
+    return {own.start, own.end};
 }
 
-MotionTime spanOf(const AnyDesign& design, const std::vector<MotionId>& motions) {
+MotionTime spanOf(const Design& design, const std::vector<MotionId>& motions) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     MotionTime span{kInfinity, -kInfinity};
     for (const auto& [handle, motion] : motions) {
@@ -86,8 +77,7 @@ double carried(double time, const MotionTime& from, const MotionTime& to) {
     return std::lerp(to.start, to.end, (time - from.start) / (from.end - from.start));
 }
 
-MotionTime fittedSpan(const AnyDesign& design, const std::vector<MotionId>& motions,
-                      const MotionTime& wanted) {
+MotionTime fittedSpan(const Design& design, const std::vector<MotionId>& motions, const MotionTime& wanted) {
     const auto [start, end] = spanOf(design, motions);
     if (wanted.start == start) return {start, scaledEnd(design, motions, start, end, wanted.end)};
     if (wanted.end == end) return {scaledEnd(design, motions, end, start, wanted.start), end};
@@ -118,44 +108,36 @@ Project withMotionSpan(const Project& project, const std::vector<MotionId>& moti
     return result;
 }
 
-AnyDesign withMotionEase(const AnyDesign& design, const std::vector<MotionId>& motions, Ease ease) {
-    AnyDesign result = design;
+Design withMotionEase(const Design& design, const std::vector<MotionId>& motions, Ease ease) {
+    Design result = design;
     for (const MotionId& id : motions)
         result = edited(std::move(result), id.handle,
                         [&](auto& own) { setEase(own.at(static_cast<std::size_t>(id.motion)), ease); });
     return result;
 }
 
-MotionTime holdOf(const AnyDesign& design, int handle) {
-    return std::visit(
-        [=](const auto& one) -> MotionTime {
-            const auto& own = one.handles.at(static_cast<std::size_t>(handle));
-            return {own.activeFrom, own.activeTo};
-        },
-        design);
+MotionTime holdOf(const Design& design, int handle) {
+    const Pin& own = design.handles.at(static_cast<std::size_t>(handle));
+    return {own.activeFrom, own.activeTo};
 }
 
-AnyDesign withHold(const AnyDesign& design, int handle, const MotionTime& hold, double filmEnd) {
+Design withHold(const Design& design, int handle, const MotionTime& hold, double filmEnd) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    AnyDesign result = design;
-    std::visit(
-        [&](auto& one) {
-            auto& own = one.handles.at(static_cast<std::size_t>(handle));
-            own.activeFrom = hold.start;
-            own.activeTo = std::max(hold.end, hold.start + kShortestMotion);
-            if (!own.motions.empty()) {
-                own.activeFrom = std::min(own.activeFrom, own.motions.front().start);
-                own.activeTo = std::max(own.activeTo, own.motions.back().end);
-            }
-            if (own.activeFrom <= 0) own.activeFrom = -kInfinity;
-            if (own.activeTo >= filmEnd) own.activeTo = kInfinity;
-        },
-        result);
+    Design result = design;
+    Pin& own = result.handles.at(static_cast<std::size_t>(handle));
+    own.activeFrom = hold.start;
+    own.activeTo = std::max(hold.end, hold.start + kShortestMotion);
+    if (!own.motions.empty()) {
+        own.activeFrom = std::min(own.activeFrom, own.motions.front().start);
+        own.activeTo = std::max(own.activeTo, own.motions.back().end);
+    }
+    if (own.activeFrom <= 0) own.activeFrom = -kInfinity;
+    if (own.activeTo >= filmEnd) own.activeTo = kInfinity;
     return result;
 }
 
-AnyDesign withoutMotions(const AnyDesign& design, std::vector<MotionId> motions) {
-    AnyDesign result = design;
+Design withoutMotions(const Design& design, std::vector<MotionId> motions) {
+    Design result = design;
     std::ranges::sort(motions, std::greater());  // the later ones first: the others keep their places
     for (const MotionId& id : motions)
         result = edited(std::move(result), id.handle, [&](auto& own) { own.erase(own.begin() + id.motion); });

@@ -16,9 +16,8 @@
 namespace wend {
 namespace {
 
-template <int Dim>
-Vec<Dim> readDirection(const JsonValue& value) {
-    const Vec<Dim> direction = value.point<Dim>();
+Vec3 readDirection(const JsonValue& value) {
+    const Vec3 direction = value.point();
     if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
     return direction;
 }
@@ -39,8 +38,7 @@ std::pair<double, double> readWindow(const JsonValue& value) {
 }
 
 /// Reads a window whose ends may be null for open.
-template <int Dim>
-void readActive(const JsonValue& value, Handle<Dim>& handle) {
+void readActive(const JsonValue& value, Pin& handle) {
     const std::vector<JsonValue> ends = value.elements();
     if (ends.size() != 2) value.fail("must be two times, [from, to]");
     if (!ends[0].json().is_null()) handle.activeFrom = ends[0].number();
@@ -53,54 +51,49 @@ void readActive(const JsonValue& value, Handle<Dim>& handle) {
 // --- Regions ---
 
 Polygon readPolygon(const JsonValue& value) {
-    Polygon polygon{value.points<2>()};
+    Polygon polygon{value.flatPoints()};
     if (polygon.points.size() < 3) value.fail("needs at least 3 points");
     return polygon;
 }
 
-template <int Dim>
-Ball<Dim> readBall(const JsonValue& value) {
+Ball<3> readBall(const JsonValue& value) {
     JsonObject object(value);
-    Ball<Dim> ball{object.require("centre").point<Dim>(), readPositive(object.require("radius"))};
+    Ball<3> ball{object.require("centre").point(), readPositive(object.require("radius"))};
     object.finish();
     return ball;
 }
 
-template <int Dim>
-Box<Dim> readBox(const JsonValue& value) {
+Box<3> readBox(const JsonValue& value) {
     JsonObject object(value);
-    Box<Dim> box{object.require("min").point<Dim>(), object.require("max").point<Dim>()};
-    if ((box.min.array() >= box.max.array()).any())
+    Box<3> box{object.require("min").point(), object.require("max").point()};
+    const auto d = value.dimension();
+    if ((box.min.head(d).array() >= box.max.head(d).array()).any())
         value.fail("min must be less than max in every coordinate");
     object.finish();
     return box;
 }
 
-template <int Dim>
-HalfSpace<Dim> readHalfSpace(const JsonValue& value) {
+HalfSpace<3> readHalfSpace(const JsonValue& value) {
     JsonObject object(value);
-    HalfSpace<Dim> half{object.require("point").point<Dim>(), readDirection<Dim>(object.require("normal"))};
+    HalfSpace<3> half{object.require("point").point(), readDirection(object.require("normal"))};
     object.finish();
     return half;
 }
 
-template <int Dim>
-Blend<Dim> readBlend(const JsonValue& value) {
+Blend<3> readBlend(const JsonValue& value) {
     JsonObject object(value);
-    Blend<Dim> blend{object.require("from").point<Dim>(), object.require("to").point<Dim>()};
+    Blend<3> blend{object.require("from").point(), object.require("to").point()};
     if (blend.from == blend.to) value.fail("from and to are the same point");
     object.finish();
     return blend;
 }
 
-template <int Dim>
-Region<Dim> readShape(const std::string& kind, const JsonValue& value) {
-    if constexpr (Dim == 2)
-        if (kind == "polygon") return readPolygon(value);
-    if (kind == "circle" || kind == "sphere") return readBall<Dim>(value);
-    if (kind == "box") return readBox<Dim>(value);
-    if (kind == "halfspace") return readHalfSpace<Dim>(value);
-    return readBlend<Dim>(value);
+Region<3> readShape(const std::string& kind, const JsonValue& value) {
+    if (kind == "polygon") return readPolygon(value);
+    if (kind == "circle" || kind == "sphere") return readBall(value);
+    if (kind == "box") return readBox(value);
+    if (kind == "halfspace") return readHalfSpace(value);
+    return readBlend(value);
 }
 
 // --- Material ---
@@ -112,15 +105,14 @@ void readSmoothing(const JsonValue& value, Project& project) {
     object.finish();
 }
 
-template <int Dim>
-Stiffness<Dim> readStiffness(const JsonValue& value) {
+Stiffness readStiffness(const JsonValue& value) {
     JsonObject object(value);
-    Stiffness<Dim> stiffness;
+    Stiffness stiffness;
     const JsonValue axis = object.require("axis");
-    if (auto wall = readWall(axis, Dim))
-        stiffness.axis = Vec<Dim>::UnitX(), stiffness.wall = *wall;
+    if (auto wall = readWall(axis, axis.dimension()))
+        stiffness.axis = Vec3::UnitX(), stiffness.wall = *wall;
     else
-        stiffness.axis = readDirection<Dim>(axis);
+        stiffness.axis = readDirection(axis);
     stiffness.ratio = object.require("ratio").number("material.regions[].stiffness.ratio");
     if (auto within = object.find("within")) {
         stiffness.within = readPositive(*within);
@@ -143,21 +135,19 @@ MaterialPictures readPictures(const JsonValue& value) {
     return pictures;
 }
 
-template <int Dim>
-MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
-    MaterialRegion<Dim> region;
+MaterialRegion readMaterialRegion(const JsonValue& value) {
+    MaterialRegion region;
     JsonObject object(value.ownedBy(region.extras));
     if (auto name = object.find("name")) region.name = name->text();
-    region.shape = readRegion<Dim>(object.require("shape"));
+    region.shape = readRegion(object.require("shape"));
     if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
-    if (auto phi = object.find("phi")) region.phi = readPhi(*phi, Dim);
-    if (auto stiffness = object.find("stiffness")) region.stiffness = readStiffness<Dim>(*stiffness);
-    if constexpr (Dim == 2)
-        if (auto pictures = object.find("pictures")) {
-            region.pictures = readPictures(*pictures);
-            if (!std::holds_alternative<Box<2>>(region.shape)) pictures->fail("need a box, which they fill");
-            if (region.phi || region.stiffness) pictures->fail("stand in the place of phi and stiffness");
-        }
+    if (auto phi = object.find("phi")) region.phi = readPhi(*phi, phi->dimension());
+    if (auto stiffness = object.find("stiffness")) region.stiffness = readStiffness(*stiffness);
+    if (auto pictures = value.dimension() == 2 ? object.find("pictures") : std::nullopt) {
+        region.pictures = readPictures(*pictures);
+        if (!std::holds_alternative<Box<3>>(region.shape)) pictures->fail("need a box, which they fill");
+        if (region.phi || region.stiffness) pictures->fail("stand in the place of phi and stiffness");
+    }
     if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
     if (auto leaves = object.find("leaves")) region.leaves = leaves->number("material.regions[].leaves");
     if (auto part = object.find("part")) region.part = part->text();
@@ -170,61 +160,62 @@ MaterialRegion<Dim> readMaterialRegion(const JsonValue& value) {
 }
 
 /// Reads the numbers of a matrix, in one list or in a list of its rows.
-template <int Dim>
 std::vector<double> readMatrixNumbers(const JsonValue& value) {
     if (!value.json().is_array() || value.json().empty() || !value.json().front().is_array())
         return value.numbers();
     std::vector<double> numbers;
     for (const JsonValue& row : value.elements()) {
         const std::vector<double> own = row.numbers();
-        if (own.size() != Dim)
-            row.fail("has " + std::to_string(own.size()) + " numbers where a row has " + std::to_string(Dim));
+        if (own.size() != static_cast<std::size_t>(row.dimension()))
+            row.fail("has " + std::to_string(own.size()) + " numbers where a row has " +
+                     std::to_string(row.dimension()));
         numbers.insert(numbers.end(), own.begin(), own.end());
     }
     return numbers;
 }
 
 /// Returns a symmetric positive definite matrix: see matrixFrom().
-template <int Dim>
-Mat<Dim> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
-    if (numbers.size() != Dim * Dim && numbers.size() != kSymmetricNumbers<Dim>)
+Mat<3> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
+    const int d = value.dimension();
+    const std::size_t all = static_cast<std::size_t>(d * d), half = symmetricNumbers(d);
+    if (numbers.size() != all && numbers.size() != half)
         value.fail("has " + std::to_string(numbers.size()) + " numbers where a matrix needs " +
-                   std::to_string(Dim * Dim) + ", or " + std::to_string(kSymmetricNumbers<Dim>) +
-                   " as it is symmetric");
-    const Mat<Dim> B = matrixFrom<Dim>(numbers);
+                   std::to_string(all) + ", or " + std::to_string(half) + " as it is symmetric");
+    const Mat<3> B = matrixFrom(numbers, d);
     if ((B - B.transpose()).cwiseAbs().maxCoeff() > 1e-12 * B.cwiseAbs().maxCoeff())
         value.fail("B is not symmetric");
-    const double least = symmetricEigenvalues<Dim>(B).minCoeff();
+    const double least = d == 2 ? symmetricEigenvalues<2>(B.topLeftCorner<2, 2>()).minCoeff()
+                                : symmetricEigenvalues<3>(B).minCoeff();
     if (!(least > 0)) value.fail("B is not positive definite: its least eigenvalue is " + shortNumber(least));
     return B;
 }
 
 /// One matrix per cell, each a list or a list of rows; or the numbers of all of them in one list, so many for
 /// each as a matrix has if that can be, else as a symmetric one has.
-template <int Dim>
-std::vector<Mat<Dim>> readAnisotropies(const JsonValue& value) {
-    std::vector<Mat<Dim>> all;
+std::vector<Mat<3>> readAnisotropies(const JsonValue& value) {
+    std::vector<Mat<3>> all;
     const bool isPlain = value.json().is_array() && !value.json().empty() && value.json().front().is_number();
     if (!isPlain) {
         for (const JsonValue& element : value.elements())
-            all.push_back(checkedAnisotropy<Dim>(readMatrixNumbers<Dim>(element), element));
+            all.push_back(checkedAnisotropy(readMatrixNumbers(element), element));
         return all;
     }
     const std::vector<double> numbers = value.numbers();
-    const std::size_t each = numbers.size() % (Dim * Dim) == 0 ? Dim * Dim : kSymmetricNumbers<Dim>;
+    const std::size_t whole = static_cast<std::size_t>(value.dimension() * value.dimension()),
+                      half = symmetricNumbers(value.dimension());
+    const std::size_t each = numbers.size() % whole == 0 ? whole : half;
     if (numbers.size() % each != 0)
         value.fail("has " + std::to_string(numbers.size()) + " numbers, which is no multiple of " +
-                   std::to_string(Dim * Dim) + " or " + std::to_string(kSymmetricNumbers<Dim>));
+                   std::to_string(whole) + " or " + std::to_string(half));
     for (std::size_t i = 0; i < numbers.size(); i += each)
-        all.push_back(checkedAnisotropy<Dim>({numbers.begin() + static_cast<std::ptrdiff_t>(i),
-                                              numbers.begin() + static_cast<std::ptrdiff_t>(i + each)},
-                                             value));
+        all.push_back(checkedAnisotropy({numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                                         numbers.begin() + static_cast<std::ptrdiff_t>(i + each)},
+                                        value));
     return all;
 }
 
 // --- Handles ---
 
-template <int Dim>
 std::vector<int> readVertexIds(const JsonValue& value) {
     std::vector<int> ids;
     for (const JsonValue& element : value.elements()) {
@@ -236,8 +227,7 @@ std::vector<int> readVertexIds(const JsonValue& value) {
 }
 
 /// "all", a list of axes, {"normal": […]}, or {"slide": "rest" or a file}, which is read later.
-template <int Dim>
-void readHold(const JsonValue& value, Handle<Dim>& handle) {
+void readHold(const JsonValue& value, Pin& handle) {
     constexpr std::string_view kAxes = "xyz";
     if (value.json().is_string()) {
         if (value.text() != "all")
@@ -248,18 +238,19 @@ void readHold(const JsonValue& value, Handle<Dim>& handle) {
         for (const JsonValue& element : value.elements()) {
             const std::string axis = element.text();
             const auto place = axis.size() == 1 ? kAxes.find(axis) : std::string_view::npos;
-            if (place >= Dim) element.fail("\"" + axis + "\" is not an axis of this project");
+            if (place >= static_cast<std::size_t>(value.dimension()))
+                element.fail("\"" + axis + "\" is not an axis of this project");
             held |= 1U << place;
         }
         if (held == 0) value.fail("names no axis");
-        handle.slides = ((1U << Dim) - 1) & ~held;
+        handle.slides = ((1U << value.dimension()) - 1) & ~held;
     } else {
         JsonObject object(value);
         if (object.oneOf({"normal", "slide"}) == "normal") {
-            handle.normal = readNamedDirection<Dim>(object.require("normal"));
+            handle.normal = readNamedDirection(object.require("normal"));
         } else {
             const JsonValue slide = object.require("slide");
-            handle.slide = Slide<Dim>{slide.text() == kRestSurface ? "" : slide.text(), nullptr};
+            handle.slide = Slide<3>{slide.text() == kRestSurface ? "" : slide.text(), nullptr};
             if (slide.text().empty()) slide.fail("names no file");
         }
         object.finish();
@@ -281,23 +272,22 @@ void requireRegion(const JsonValue& region) {
 }
 
 /// A place that is named is found later.
-template <int Dim>
-Placement<Dim> readPlacement(const JsonValue& value, Handle<Dim>& handle) {
+Placement<3> readPlacement(const JsonValue& value, Pin& handle) {
     JsonObject object(value);
     if (auto part = object.find("part")) handle.part = part->text();
     const std::string kind = object.oneOf({"vertices", "points", "region", "group"});
     if (readNamedPlace(object, handle.extras)) return std::vector<int>();
     const JsonValue at = object.require(kind);
     object.finish();
-    if (kind == "vertices") return readVertexIds<Dim>(at);
+    if (kind == "vertices") return readVertexIds(at);
     if (kind == "points") {
-        auto points = at.points<Dim>();
+        auto points = at.points();
         if (points.empty()) at.fail("has no point");
         return points;
     }
     requireRegion(at);
-    Region<Dim> region = readRegion<Dim>(at);
-    if (std::holds_alternative<Blend<Dim>>(region)) at.fail("a blend has no inside that could be a handle");
+    Region<3> region = readRegion(at);
+    if (std::holds_alternative<Blend<3>>(region)) at.fail("a blend has no inside that could be a handle");
     return region;
 }
 
@@ -308,24 +298,22 @@ std::string readMotionFile(JsonObject& object) {
     return name;
 }
 
-template <int Dim>
-Translate<Dim> readTranslate(JsonObject& object) {
-    return {object.require("by").template point<Dim>()};
+Translate<3> readTranslate(JsonObject& object) {
+    return {object.require("by").point()};
 }
 
-template <int Dim>
-Rotate<Dim> readRotate(JsonObject& object) {
-    Rotate<Dim> rotate;
-    rotate.centre = object.require("centre").template point<Dim>();
-    if (Dim == 3) rotate.axis = readNamedDirection<Dim>(object.require("axis"));
-    if (Dim == 2 && object.has("axis"))
+Rotate<3> readRotate(JsonObject& object) {
+    Rotate<3> rotate;
+    rotate.centre = object.require("centre").point();
+    const bool isFlat = object.value().dimension() == 2;
+    if (isFlat && object.has("axis"))
         object.require("axis").fail("is for rotations in 3D; in 2D they are about the centre");
+    rotate.axis = isFlat ? Vec3::UnitZ() : readNamedDirection(object.require("axis"));
     rotate.angle = object.require("angle").number();
     return rotate;
 }
 
-template <int Dim>
-void requireEnoughPoints(const CurveMotion<Dim>& curve, const JsonValue& points) {
+void requireEnoughPoints(const CurveMotion<3>& curve, const JsonValue& points) {
     const std::size_t count = curve.points.size();
     if (curve.interpolation == Interpolation::Bezier && (count < 4 || count % 3 != 1))
         points.fail("a bezier is a chain of cubics and needs 4, 7, 10 … points, not " +
@@ -333,29 +321,27 @@ void requireEnoughPoints(const CurveMotion<Dim>& curve, const JsonValue& points)
     if (count < 2) points.fail("a curve needs at least 2 points");
 }
 
-template <int Dim>
-CurveMotion<Dim> readCurve(JsonObject& object) {
-    CurveMotion<Dim> curve;
+CurveMotion<3> readCurve(JsonObject& object) {
+    CurveMotion<3> curve;
     curve.interpolation =
         object.require("interpolation").choice<Interpolation>("handles[].motion[].interpolation");
     const JsonValue points = object.require("points");
-    curve.points = points.points<Dim>();
+    curve.points = points.points();
     requireEnoughPoints(curve, points);
     if (auto frame = object.find("frame")) curve.frame = frame->choice<FrameKind>("handles[].motion[].frame");
     if (auto twist = object.find("twist")) {
         curve.twist = twist->number();
-        if (Dim == 2 && curve.twist != 0) twist->fail("is for curves in 3D");
+        if (twist->dimension() == 2 && curve.twist != 0) twist->fail("is for curves in 3D");
     }
     if (auto scale = object.find("scale")) curve.scale = scale->number("handles[].motion[].scale");
     return curve;
 }
 
-template <int Dim>
-Recorded<Dim> readRecorded(JsonObject& object) {
-    Recorded<Dim> stroke;
+Recorded<3> readRecorded(JsonObject& object) {
+    Recorded<3> stroke;
     const JsonValue times = object.require("times"), points = object.require("points");
     stroke.times = times.numbers();
-    stroke.points = points.points<Dim>();
+    stroke.points = points.points();
     if (stroke.times.size() < 2) times.fail("a recorded motion needs at least 2 times");
     if (stroke.times.size() != stroke.points.size())
         points.fail("has " + std::to_string(stroke.points.size()) + " points for " +
@@ -368,83 +354,83 @@ Recorded<Dim> readRecorded(JsonObject& object) {
 }
 
 /// Reads a field. Without a file it has the displacements themselves: `vertices` and `by`.
-template <int Dim>
-FieldMotion<Dim> readField(JsonObject& object) {
-    FieldMotion<Dim> field;
+FieldMotion<3> readField(JsonObject& object) {
+    FieldMotion<3> field;
     if (object.oneOf({"file", "vertices"}) == "file") {
         field.file = readMotionFile(object);
         if (auto array = object.find("array")) field.array = array->text();
         return field;
     }
     const JsonValue by = object.require("by");
-    const std::vector<int> vertices = readVertexIds<Dim>(object.require("vertices"));
-    const std::vector<Vec<Dim>> displacements = by.points<Dim>();
+    const std::vector<int> vertices = readVertexIds(object.require("vertices"));
+    const std::vector<Vec3> displacements = by.points();
     if (displacements.size() != vertices.size())
         by.fail("has " + std::to_string(displacements.size()) + " displacements for " +
                 std::to_string(vertices.size()) + " vertices");
-    Displacements<Dim> values;
+    Displacements<3> values;
     for (std::size_t i = 0; i < vertices.size(); ++i) values.emplace_back(vertices[i], displacements[i]);
-    std::ranges::sort(values, {}, &Displacements<Dim>::value_type::first);
-    field.values = std::make_shared<const Displacements<Dim>>(std::move(values));
+    std::ranges::sort(values, {}, &Displacements<3>::value_type::first);
+    field.values = std::make_shared<const Displacements<3>>(std::move(values));
     return field;
 }
 
 /// Reads poses. Without a file it has the poses themselves: rows of time, position and rotation vector.
-template <int Dim>
-PoseMotion<Dim> readPoses(JsonObject& object) {
-    PoseMotion<Dim> motion;
+PoseMotion<3> readPoses(JsonObject& object) {
+    PoseMotion<3> motion;
     motion.hasOwnTimes = !object.has("time");
     if (object.oneOf({"file", "poses"}) == "file") {
         motion.file = readMotionFile(object);
         return motion;
     }
     const JsonValue rows = object.require("poses");
+    const bool isFlat = rows.dimension() == 2;
+    const std::size_t columns = isFlat ? 4 : 7;
     for (const JsonValue& row : rows.elements()) {
         const std::vector<double> numbers = row.numbers();
-        constexpr std::size_t kColumns = Dim == 2 ? 4 : 7;
-        if (numbers.size() != kColumns)
+        if (numbers.size() != columns)
             row.fail("has " + std::to_string(numbers.size()) + " numbers where a pose needs " +
-                     std::to_string(kColumns) + ": time, position and " +
-                     (Dim == 2 ? "angle" : "rotation vector"));
+                     std::to_string(columns) + ": time, position and " +
+                     (isFlat ? "angle" : "rotation vector"));
         if (!motion.times.empty() && numbers[0] <= motion.times.back())
             row.fail("its time does not come after that of the pose before");
         motion.times.push_back(numbers[0]);
-        motion.poses.push_back({Eigen::Map<const Vec<Dim>>(&numbers[1]),
-                                Eigen::Map<const RotationVector<Dim>>(&numbers[1 + Dim])});
+        if (isFlat)
+            motion.poses.push_back({{numbers[1], numbers[2], 0}, {0, 0, numbers[3]}});
+        else
+            motion.poses.push_back(
+                {Eigen::Map<const Vec3>(&numbers[1]), Eigen::Map<const Vec3>(&numbers[4])});
     }
     if (motion.poses.size() < 2) rows.fail("at least 2 poses are needed");
     return motion;
 }
 
-template <int Dim>
-Motion<Dim> readMotion(const JsonValue& value, double end) {
-    Motion<Dim> motion;
+PinMotion readMotion(const JsonValue& value, double end) {
+    PinMotion motion;
     motion.end = end;
     JsonObject object(value.ownedBy(motion.extras));
     if (auto time = object.find("time")) std::tie(motion.start, motion.end) = readWindow(*time);
     if (auto ease = object.find("ease")) motion.ease = ease->choice<Ease>("handles[].motion[].ease");
     const std::string kind = object.require("kind").choice("handles[].motion[].kind");
-    if (kind == "translate") motion.kind = readTranslate<Dim>(object);
-    if (kind == "rotate") motion.kind = readRotate<Dim>(object);
-    if (kind == "curve") motion.kind = readCurve<Dim>(object);
-    if (kind == "recorded") motion.kind = readRecorded<Dim>(object);
-    if (kind == "field") motion.kind = readField<Dim>(object);
-    if (kind == "poses") motion.kind = readPoses<Dim>(object);
-    if (const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind))
+    if (kind == "translate") motion.kind = readTranslate(object);
+    if (kind == "rotate") motion.kind = readRotate(object);
+    if (kind == "curve") motion.kind = readCurve(object);
+    if (kind == "recorded") motion.kind = readRecorded(object);
+    if (kind == "field") motion.kind = readField(object);
+    if (kind == "poses") motion.kind = readPoses(object);
+    if (const auto* poses = std::get_if<PoseMotion<3>>(&motion.kind))
         if (poses->hasOwnTimes && !poses->times.empty())
             std::tie(motion.start, motion.end) = std::pair(poses->times.front(), poses->times.back());
     object.finish();
     return motion;
 }
 
-template <int Dim>
-std::vector<Motion<Dim>> readMotions(const JsonValue& value, double end) {
-    std::vector<Motion<Dim>> motions;
+std::vector<PinMotion> readMotions(const JsonValue& value, double end) {
+    std::vector<PinMotion> motions;
     for (const JsonValue& element : value.elements()) {
-        motions.push_back(readMotion<Dim>(element, end));
+        motions.push_back(readMotion(element, end));
         const std::size_t i = motions.size() - 1;
-        const auto waitsForFile = [](const Motion<Dim>& motion) {
-            const auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind);
+        const auto waitsForFile = [](const PinMotion& motion) {
+            const auto* poses = std::get_if<PoseMotion<3>>(&motion.kind);
             return poses && poses->hasOwnTimes && poses->times.empty();
         };
         if (i > 0 && !waitsForFile(motions[i]) && !waitsForFile(motions[i - 1]) &&
@@ -474,20 +460,20 @@ HandleTraits readTraits(JsonObject& object) {
 
 }  // namespace
 
-template <int Dim>
-Region<Dim> readRegion(const JsonValue& value) {
+Region<3> readRegion(const JsonValue& value) {
     JsonObject object(value);
-    const std::string kind = Dim == 2 ? object.oneOf({"polygon", "circle", "box", "halfspace", "blend"})
-                                      : object.oneOf({"sphere", "box", "halfspace", "blend"});
+    const std::string kind = value.dimension() == 2
+                                 ? object.oneOf({"polygon", "circle", "box", "halfspace", "blend"})
+                                 : object.oneOf({"sphere", "box", "halfspace", "blend"});
     const JsonValue shape = object.require(kind);
     object.finish();
-    return readShape<Dim>(kind, shape);
+    return readShape(kind, shape);
 }
 
 Outline readPolygons(const JsonValue& value) {
     Outline outline;
     for (const JsonValue& loop : value.elements()) {
-        outline.loops.push_back(loop.points<2>());
+        outline.loops.push_back(loop.flatPoints());
         if (outline.loops.back().size() < 3) loop.fail("needs at least 3 points");
     }
     if (outline.loops.empty()) value.fail("has no polygon");
@@ -501,8 +487,8 @@ DepthRegions readDepth(const JsonValue& value) {
         JsonObject object(element.ownedBy(region.extras));
         if (auto name = object.find("name")) region.name = name->text();
         const JsonValue shape = object.require("shape");
-        region.shape = readRegion<2>(shape);
-        if (std::holds_alternative<Blend<2>>(region.shape))
+        region.shape = readRegion(shape);
+        if (std::holds_alternative<Blend<3>>(region.shape))
             shape.fail("a blend has no inside that could lie in front or behind");
         region.order = object.require("order").number("depth[].order");
         if (auto part = object.find("part")) region.part = part->text();
@@ -511,26 +497,25 @@ DepthRegions readDepth(const JsonValue& value) {
     return regions;
 }
 
-template <int Dim>
-void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec) {
+void readCellValues(JsonObject& object, MaterialSpec& spec) {
     if (auto phi = object.find("phi"))
-        for (const JsonValue& element : phi->elements()) spec.cellPhi.push_back(readPhi(element, Dim));
-    if (auto matrices = object.find("B")) spec.cellB = readAnisotropies<Dim>(*matrices);
+        for (const JsonValue& element : phi->elements())
+            spec.cellPhi.push_back(readPhi(element, element.dimension()));
+    if (auto matrices = object.find("B")) spec.cellB = readAnisotropies(*matrices);
     object.finish();
 }
 
 namespace {
 
 /// Reads a file's name, one with the names of its fields, or the values themselves.
-template <int Dim>
-void readCellsKey(const JsonValue& value, MaterialSpec<Dim>& spec) {
+void readCellsKey(const JsonValue& value, MaterialSpec& spec) {
     if (value.json().is_string()) {
         spec.cellsFile = value.text();
         return;
     }
     JsonObject object(value);
     const auto file = object.find("file");
-    if (!file) return readCellValues<Dim>(object, spec);
+    if (!file) return readCellValues(object, spec);
     spec.cellsFile = file->text();
     if (auto phi = object.find("phi")) spec.cellsPhi = phi->text();
     if (auto B = object.find("B")) spec.cellsB = B->text();
@@ -539,40 +524,29 @@ void readCellsKey(const JsonValue& value, MaterialSpec<Dim>& spec) {
 
 }  // namespace
 
-template <int Dim>
 void readMaterial(const JsonValue& value, Project& project) {
-    MaterialSpec<Dim>& spec = designOf<Dim>(project).material;
+    MaterialSpec& spec = designOf(project).material;
     JsonObject object(value);
     readSettings(object, "material", project);
     if (auto smoothing = object.find("smoothing")) readSmoothing(*smoothing, project);
     if (auto regions = object.find("regions"))
         for (const JsonValue& element : regions->elements())
-            spec.regions.push_back(readMaterialRegion<Dim>(element));
-    if (auto cells = object.find("cells")) readCellsKey<Dim>(*cells, spec);
+            spec.regions.push_back(readMaterialRegion(element));
+    if (auto cells = object.find("cells")) readCellsKey(*cells, spec);
     object.finish();
 }
 
-template <int Dim>
-Handle<Dim> readHandle(const JsonValue& value, double end) {
-    Handle<Dim> handle;
+Pin readHandle(const JsonValue& value, double end) {
+    Pin handle;
     JsonObject object(value.ownedBy(handle.extras));
     if (auto name = object.find("name")) handle.name = name->text();
-    handle.at = readPlacement<Dim>(object.require("at"), handle);
+    handle.at = readPlacement(object.require("at"), handle);
     if (auto active = object.find("active")) readActive(*active, handle);
-    if (auto motion = object.find("motion")) handle.motions = readMotions<Dim>(*motion, end);
+    if (auto motion = object.find("motion")) handle.motions = readMotions(*motion, end);
     if (auto hold = object.find("hold")) readHold(*hold, handle);
     handle.traits = readTraits(object);
     object.finish();
     return handle;
 }
-
-template void readMaterial<2>(const JsonValue&, Project&);
-template void readMaterial<3>(const JsonValue&, Project&);
-template Handle<2> readHandle<2>(const JsonValue&, double);
-template Handle<3> readHandle<3>(const JsonValue&, double);
-template Region<2> readRegion<2>(const JsonValue&);
-template Region<3> readRegion<3>(const JsonValue&);
-template void readCellValues<2>(JsonObject&, MaterialSpec<2>&);
-template void readCellValues<3>(JsonObject&, MaterialSpec<3>&);
 
 }  // namespace wend

@@ -9,19 +9,15 @@
 namespace wend {
 
 /// The parts of a project that have coordinates. The design must be of that dimension.
-template <int Dim>
 void readMaterial(const JsonValue& value, Project& project);
 /// A handle; a motion without a time window takes [0, end].
-template <int Dim>
-Handle<Dim> readHandle(const JsonValue& value, double end);
+Pin readHandle(const JsonValue& value, double end);
 /// Reads a region: {"polygon": …}, {"circle": …} …
-template <int Dim>
-Region<Dim> readRegion(const JsonValue& value);
+Region<3> readRegion(const JsonValue& value);
 /// Reads the loops of an outline.
 Outline readPolygons(const JsonValue& value);
 DepthRegions readDepth(const JsonValue& value);
 /// Reads the keys of material.cells.
-template <int Dim>
-void readCellValues(JsonObject& object, MaterialSpec<Dim>& spec);
+void readCellValues(JsonObject& object, MaterialSpec& spec);
 
 }  // namespace wend

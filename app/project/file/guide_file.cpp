@@ -43,12 +43,13 @@ std::vector<Segment> borderOf(const std::vector<std::array<int, 3>>& triangles) 
 
 }  // namespace
 
-template <int Dim>
-GuideMesh<Dim> readGuide(const std::string& path, const PlaneFrame& plane) try {
+GuideMesh<3> readGuide(const std::string& path, const PlaneFrame* plane) try {
     const MeshFile file = readMeshFile(path, MeshNeeds::Points);
-    GuideMesh<Dim> guide;
-    guide.points = plane.toPlane(file.points).topRows<Dim>();
-    if constexpr (Dim == 2) {
+    GuideMesh<3> guide;
+    guide.points = file.points;
+    if (plane) {
+        guide.points = plane->toPlane(file.points);
+        guide.points.row(2).setZero();
         guide.segments = linesOf(file.cells);
         if (guide.segments.empty()) guide.segments = borderOf(file.triangles);
         if (guide.segments.empty()) throw InputError("has no line to slide along");
@@ -62,8 +63,5 @@ GuideMesh<Dim> readGuide(const std::string& path, const PlaneFrame& plane) try {
 } catch (const InputError& error) {
     throw error.named(path);
 }
-
-template GuideMesh<2> readGuide<2>(const std::string&, const PlaneFrame&);
-template GuideMesh<3> readGuide<3>(const std::string&, const PlaneFrame&);
 
 }  // namespace wend

@@ -130,20 +130,30 @@ std::vector<double> JsonValue::numbers() const {
     return all;
 }
 
-template <int Dim>
-Vec<Dim> JsonValue::point() const {
+Vec3 JsonValue::point() const {
     const std::vector<double> values = numbers();
-    if (values.size() != Dim)
-        fail("has " + std::to_string(values.size()) + " numbers where this " + std::to_string(Dim) +
-             "D project needs " + std::to_string(Dim));
-    return Eigen::Map<const Vec<Dim>>(values.data());
+    if (values.size() != static_cast<std::size_t>(m_dimension))
+        fail("has " + std::to_string(values.size()) + " numbers where this " + std::to_string(m_dimension) +
+             "D project needs " + std::to_string(m_dimension));
+    return {values[0], values[1], m_dimension == 3 ? values[2] : 0};
 }
 
-template <int Dim>
-std::vector<Vec<Dim>> JsonValue::points() const {
-    std::vector<Vec<Dim>> all;
-    for (const JsonValue& element : elements()) all.push_back(element.point<Dim>());
+std::vector<Vec3> JsonValue::points() const {
+    std::vector<Vec3> all;
+    for (const JsonValue& element : elements()) all.push_back(element.point());
     return all;
+}
+
+std::vector<Vec<2>> JsonValue::flatPoints() const {
+    std::vector<Vec<2>> all;
+    for (const JsonValue& element : elements()) all.push_back(element.flatPoint());
+    return all;
+}
+
+JsonValue JsonValue::ofDimension(int dimension) const {
+    JsonValue value = *this;
+    value.m_dimension = dimension;
+    return value;
 }
 
 JsonObject::JsonObject(JsonValue value) : m_value(std::move(value)) {
@@ -205,10 +215,5 @@ void JsonObject::finish() const {
     for (const auto& entry : m_value.json().items())
         if (!m_known.contains(entry.key())) m_value.keepUnknown(entry.key(), suggestionFor(entry.key()));
 }
-
-template Vec<2> JsonValue::point<2>() const;
-template Vec<3> JsonValue::point<3>() const;
-template std::vector<Vec<2>> JsonValue::points<2>() const;
-template std::vector<Vec<3>> JsonValue::points<3>() const;
 
 }  // namespace wend

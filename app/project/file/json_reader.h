@@ -52,15 +52,22 @@ class JsonValue {
         return static_cast<Enum>(placeOf(option(optionKey), choice(optionKey)));
     }
     std::vector<double> numbers() const;
-    template <int Dim>
-    Vec<Dim> point() const;
-    template <int Dim>
-    std::vector<Vec<Dim>> points() const;
+
+    /// The number of coordinates of points in and below this value.
+    int dimension() const { return m_dimension; }
+    JsonValue ofDimension(int dimension) const;
+    /// Returns a point; in the plane its z is 0.
+    Vec3 point() const;
+    std::vector<Vec3> points() const;
+    /// Returns a point of the plane, which has two coordinates.
+    Vec<2> flatPoint() const { return inPlane(ofDimension(2).point()); }
+    std::vector<Vec<2>> flatPoints() const;
 
   private:
     const Json* m_json;
     std::string m_path;
     std::string m_pointer;  // relative to the owner of m_extras
+    int m_dimension = 2;
     Extras* m_extras;
     std::vector<std::string>* m_warnings;
 };
@@ -82,6 +89,8 @@ class JsonObject {
     /// Keeps all keys that were not asked for, and warns about them.
     void finish() const;
     const JsonValue& value() const { return m_value; }
+    /// Sets the number of coordinates of points in the members that are read from now on.
+    void setDimension(int dimension) { m_value = m_value.ofDimension(dimension); }
 
   private:
     std::string suggestionFor(const std::string& unknown) const;

@@ -6,23 +6,26 @@
 
 namespace wend {
 
-/// The numbers of a symmetric matrix, each once.
-template <int Dim>
-inline constexpr std::size_t kSymmetricNumbers = Dim*(Dim + 1) / 2;
+/// Returns how many numbers a symmetric matrix has, each counted once.
+constexpr std::size_t symmetricNumbers(int dimension) {
+    return static_cast<std::size_t>(dimension * (dimension + 1) / 2);
+}
 
-/// Returns the matrix of Dim² numbers, row by row; or of kSymmetricNumbers in the order of VTK: xx, yy, xy in
-/// the plane, xx, yy, zz, xy, yz, xz in space.
-template <int Dim>
-Mat<Dim> matrixFrom(const std::vector<double>& numbers) {
-    if (numbers.size() == Dim * Dim)
-        return Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(numbers.data());
-    Mat<Dim> matrix;
-    for (int k = 0; k < Dim; ++k) matrix(k, k) = numbers[static_cast<std::size_t>(k)];
-    const auto set = [&](int i, int j, int place) {
-        matrix(i, j) = matrix(j, i) = numbers[static_cast<std::size_t>(place)];
-    };
-    set(0, 1, Dim);
-    if constexpr (Dim == 3) set(1, 2, 4), set(0, 2, 5);
+/// Returns the matrix of d² numbers, row by row; or of symmetricNumbers(d) in the order of VTK: xx, yy, xy in
+/// the plane, xx, yy, zz, xy, yz, xz in space. In the plane it leaves z as it is.
+inline Mat<3> matrixFrom(const std::vector<double>& numbers, int dimension) {
+    Mat<3> matrix = Mat<3>::Identity();
+    const auto at = [&](int place) { return numbers[static_cast<std::size_t>(place)]; };
+    if (numbers.size() == static_cast<std::size_t>(dimension * dimension)) {
+        for (int i = 0; i < dimension; ++i)
+            for (int j = 0; j < dimension; ++j) matrix(i, j) = at(i * dimension + j);
+        return matrix;
+    }
+    for (int k = 0; k < dimension; ++k) matrix(k, k) = at(k);
+    matrix(0, 1) = matrix(1, 0) = at(dimension);
+    if (dimension == 2) return matrix;
+    matrix(1, 2) = matrix(2, 1) = at(4);
+    matrix(0, 2) = matrix(2, 0) = at(5);
     return matrix;
 }
 

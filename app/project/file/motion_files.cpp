@@ -45,29 +45,28 @@ const MeshField& fieldOf(const MeshFile& file, const std::string& array, int dim
     return *found;
 }
 
-/// Returns the vector of a field, in the plane of a flat mesh. `where` begins the message about one that
-/// leaves it.
-template <int Dim>
-Vec<Dim> vectorIn(const PlaneFrame& plane, const double* value, int components, const std::string& where) {
-    if (components == Dim) return Eigen::Map<const Vec<Dim>>(value);
+/// Returns the vector of a field, in the plane of a flat mesh if there is one. `where` begins the message
+/// about one that leaves it.
+Vec3 vectorIn(const PlaneFrame* plane, const double* value, int components, const std::string& where) {
+    if (components == 2) return {value[0], value[1], 0};
+    if (!plane) return Eigen::Map<const Vec3>(value);
     constexpr double kAcross = 1e-9;  // of its length: what rounding leaves of it in a plane that is turned
-    const Vec<3> inSpace = Eigen::Map<const Vec<3>>(value);
-    const Vec<3> own = plane.isXy() ? inSpace : Vec<3>(plane.axes.transpose() * inSpace);
-    if (std::abs(own.z()) > (plane.isXy() ? 0 : kAcross * own.norm()))
+    const Vec3 inSpace = Eigen::Map<const Vec3>(value);
+    const Vec3 own = plane->isXy() ? inSpace : Vec3(plane->axes.transpose() * inSpace);
+    if (std::abs(own.z()) > (plane->isXy() ? 0 : kAcross * own.norm()))
         throw InputError(where + " out of the plane");
-    return own.head<Dim>();
+    return {own.x(), own.y(), 0};
 }
 
-template <int Dim>
-Displacements<Dim> fromMesh(const std::string& path, const std::string& array, int vertices,
-                            const PlaneFrame& plane) {
+Displacements<3> fromMesh(const std::string& path, const std::string& array, int vertices,
+                          const PlaneFrame* plane) {
     const auto file = sharedMeshFile(path);
     const auto count = static_cast<int>(pointsOf(*file).cols());
     if (vertices > 0 && count != vertices)
         throw InputError("has " + std::to_string(count) + " vertices, but the mesh has " +
                          std::to_string(vertices));
-    const MeshField& field = fieldOf(*file, array, Dim);
-    Displacements<Dim> values;
+    const MeshField& field = fieldOf(*file, array, plane ? 2 : 3);
+    Displacements<3> values;
     values.reserve(static_cast<std::size_t>(count));
     for (int v = 0; v < count; ++v) {
         const double* value = &field.values[static_cast<std::size_t>(v) * field.components];
@@ -75,20 +74,19 @@ Displacements<Dim> fromMesh(const std::string& path, const std::string& array, i
         if (!std::all_of(value, value + field.components, [](double x) { return std::isfinite(x); }))
             continue;
         const std::string where = "field " + field.name + ": displaces vertex " + std::to_string(v);
-        values.emplace_back(v, vectorIn<Dim>(plane, value, field.components, where));
+        values.emplace_back(v, vectorIn(plane, value, field.components, where));
     }
     return values;
 }
 
-template <int Dim>
-Displacements<Dim> fromTable(const std::string& path, const std::string& array, int vertices,
-                             const PlaneFrame& plane) {
+Displacements<3> fromTable(const std::string& path, const std::string& array, int vertices,
+                           const PlaneFrame* plane) {
     const NumberTable table = readNumberTable(path);
     const auto id = table.column({"id", "vertex", "vertex id", "vertexid", "point id", "pointid", "node"});
     std::string name = array;
     for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     std::vector<std::size_t> columns;
-    const int components = plane.isXy() ? Dim : 3;
+    const int components = plane && plane->isXy() ? 2 : 3;
     for (int k = 0; k < components; ++k) {
         const auto column = table.column(
             {std::string("d") + "xyz"[k], name + ":" + std::to_string(k), name + "_" + "xyz"[k]});
@@ -97,7 +95,7 @@ Displacements<Dim> fromTable(const std::string& path, const std::string& array, 
     if (!id || static_cast<int>(columns.size()) != components)
         throw InputError(std::string("needs a header with the columns id, dx, dy") +
                          (components == 3 ? ", dz" : ""));
-    Displacements<Dim> values;
+    Displacements<3> values;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const double number = table.rows[r][*id];
         const bool isId =
@@ -111,10 +109,10 @@ Displacements<Dim> fromTable(const std::string& path, const std::string& array, 
         const std::string where =
             "row " + std::to_string(r + 1) + ": displaces vertex " + std::to_string(static_cast<int>(number));
         values.emplace_back(static_cast<int>(number),
-                            vectorIn<Dim>(plane, displacement.data(), components, where));
+                            vectorIn(plane, displacement.data(), components, where));
     }
-    std::ranges::stable_sort(values, {}, &Displacements<Dim>::value_type::first);
-    const auto twice = std::ranges::adjacent_find(values, {}, &Displacements<Dim>::value_type::first);
+    std::ranges::stable_sort(values, {}, &Displacements<3>::value_type::first);
+    const auto twice = std::ranges::adjacent_find(values, {}, &Displacements<3>::value_type::first);
     if (twice != values.end()) throw InputError("has two rows for vertex " + std::to_string(twice->first));
     return values;
 }
@@ -135,69 +133,64 @@ std::vector<std::size_t> columnsOf(const NumberTable& table,
     return columns;
 }
 
-template <int Dim>
-std::string poseColumnNames() {
-    return Dim == 2 ? "time, x, y, angle"
-                    : "time, x, y, z, and rx, ry, rz (a rotation vector) or qx, qy, qz, qw (a quaternion)";
+std::string poseColumnNames(int dimension) {
+    return dimension == 2
+               ? "time, x, y, angle"
+               : "time, x, y, z, and rx, ry, rz (a rotation vector) or qx, qy, qz, qw (a quaternion)";
 }
 
-template <int Dim>
-PoseColumns namedColumns(const NumberTable& table) {
+PoseColumns namedColumns(const NumberTable& table, int dimension) {
     PoseColumns columns;
     const auto time = table.column({"time", "t", "timestamp"});
     columns.position = columnsOf(table, {{"x", "tx", "px"}, {"y", "ty", "py"}, {"z", "tz", "pz"}});
-    columns.position.resize(std::min<std::size_t>(columns.position.size(), Dim));
+    columns.position.resize(std::min(columns.position.size(), static_cast<std::size_t>(dimension)));
     const auto quaternion = columnsOf(table, {{"qx"}, {"qy"}, {"qz"}, {"qw"}});
-    columns.isQuaternion = Dim == 3 && quaternion.size() == 4;
+    columns.isQuaternion = dimension == 3 && quaternion.size() == 4;
     columns.rotation = columns.isQuaternion ? quaternion
-                       : Dim == 2           ? columnsOf(table, {{"angle", "rotation", "rz", "a"}})
+                       : dimension == 2     ? columnsOf(table, {{"angle", "rotation", "rz", "a"}})
                                             : columnsOf(table, {{"rx"}, {"ry"}, {"rz"}});
-    const std::size_t turns = Dim == 2 ? 1 : columns.isQuaternion ? 4 : 3;
-    if (!time || columns.position.size() != Dim || columns.rotation.size() != turns)
-        throw InputError("needs the columns " + poseColumnNames<Dim>());
+    const std::size_t turns = dimension == 2 ? 1 : columns.isQuaternion ? 4 : 3;
+    if (!time || columns.position.size() != static_cast<std::size_t>(dimension) ||
+        columns.rotation.size() != turns)
+        throw InputError("needs the columns " + poseColumnNames(dimension));
     columns.time = *time;
     return columns;
 }
 
-template <int Dim>
-PoseColumns columnsByPlace(std::size_t count) {
+PoseColumns columnsByPlace(std::size_t count, int dimension) {
     PoseColumns columns;
-    columns.isQuaternion = Dim == 3 && count == 8;
-    if (!columns.isQuaternion && count != (Dim == 2 ? 4 : 7))
+    columns.isQuaternion = dimension == 3 && count == 8;
+    if (!columns.isQuaternion && count != (dimension == 2 ? 4 : 7))
         throw InputError("has " + std::to_string(count) + " columns where poses need " +
-                         poseColumnNames<Dim>());
-    for (std::size_t k = 0; k < Dim; ++k) columns.position.push_back(1 + k);
-    for (std::size_t k = 1 + Dim; k < count; ++k) columns.rotation.push_back(k);
+                         poseColumnNames(dimension));
+    const auto d = static_cast<std::size_t>(dimension);
+    for (std::size_t k = 0; k < d; ++k) columns.position.push_back(1 + k);
+    for (std::size_t k = 1 + d; k < count; ++k) columns.rotation.push_back(k);
     return columns;
 }
 
-template <int Dim>
-RotationVector<Dim> rotationIn(const NumberTable& table, std::size_t r, const PoseColumns& columns,
-                               const RotationVector<Dim>& before) {
+RotationVector<3> rotationIn(const NumberTable& table, std::size_t r, const PoseColumns& columns,
+                             const RotationVector<3>& before) {
     Eigen::Vector4d values = Eigen::Vector4d::Zero();
     for (std::size_t k = 0; k < columns.rotation.size(); ++k)
         values[static_cast<Eigen::Index>(k)] = table.rows[r][columns.rotation[k]];
-    if constexpr (Dim == 3)
-        if (columns.isQuaternion) {
-            if (std::abs(values.norm() - 1) > 1e-3) table.failAt(r, "the quaternion is not of length 1");
-            return rotationVectorOf(Eigen::Quaterniond(values[3], values[0], values[1], values[2]), before);
-        }
-    return values.head<RotationVector<Dim>::RowsAtCompileTime>();
+    if (columns.rotation.size() == 1) return {0, 0, values[0]};
+    if (!columns.isQuaternion) return values.head<3>();
+    if (std::abs(values.norm() - 1) > 1e-3) table.failAt(r, "the quaternion is not of length 1");
+    return rotationVectorOf(Eigen::Quaterniond(values[3], values[0], values[1], values[2]), before);
 }
 
 // --- Of a project ---
 
-template <int Dim>
-void readSurface(Handle<Dim>& handle, std::size_t number, const std::string& folder,
-                 const PlaneFrame& plane) try {
+void readSurface(Pin& handle, std::size_t number, const std::string& folder, const PlaneFrame* plane) try {
     if (handle.slide && !handle.slide->file.empty())
         handle.slide->mesh =
-            std::make_shared<const GuideMesh<Dim>>(readGuide<Dim>(pathIn(folder, handle.slide->file), plane));
+            std::make_shared<const GuideMesh<3>>(readGuide(pathIn(folder, handle.slide->file), plane));
 } catch (const InputError& error) {
     throw InputError("handles[" + std::to_string(number) + "].hold.slide: " + error.what());
 }
 
-/// Returns the plane of a flat mesh, whose coordinates handles have; that of x and y for all else.
+/// Returns the plane of a flat mesh, whose coordinates handles have; that of x and y for pictures.
 PlaneFrame planeOfMesh(const Domain& domain, const std::string& folder) {
     if (domain.kind != DomainKind::Mesh) return {};
     try {
@@ -208,38 +201,40 @@ PlaneFrame planeOfMesh(const Domain& domain, const std::string& folder) {
     }
 }
 
-template <int Dim>
-bool namesFiles(const std::vector<Handle<Dim>>& handles) {
-    return std::ranges::any_of(handles, [](const Handle<Dim>& handle) {
+bool namesFiles(const std::vector<Pin>& handles) {
+    return std::ranges::any_of(handles, [](const Pin& handle) {
         return (handle.slide && !handle.slide->file.empty()) ||
                std::ranges::any_of(handle.motions, [](const auto& motion) {
-                   return std::holds_alternative<FieldMotion<Dim>>(motion.kind);
+                   return std::holds_alternative<FieldMotion<3>>(motion.kind);
                });
     });
 }
 
-template <int Dim>
-void readFiles(Project& project, const std::string& folder) {
+}  // namespace
+
+void readHandleFiles(Project& project, const std::string& folder) {
     const Domain& domain = domainOf(project);
-    PlaneFrame plane;
-    if (Dim == 2 && namesFiles<Dim>(designOf<Dim>(project).handles)) plane = planeOfMesh(domain, folder);
+    const int dimension = dimensionOf(project);
+    PlaneFrame flat;
+    if (dimension == 2 && namesFiles(designOf(project).handles)) flat = planeOfMesh(domain, folder);
+    const PlaneFrame* plane = dimension == 2 ? &flat : nullptr;
     int vertices = 0;
     const auto vertexCount = [&] {
         if (vertices == 0 && domain.kind == DomainKind::Mesh)
             vertices = static_cast<int>(pointsOf(*sharedMeshFile(pathIn(folder, domain.path))).cols());
         return vertices;
     };
-    auto& handles = designOf<Dim>(project).handles;
+    auto& handles = designOf(project).handles;
     for (std::size_t h = 0; h < handles.size(); ++h) readSurface(handles[h], h, folder, plane);
     for (std::size_t h = 0; h < handles.size(); ++h)
         for (std::size_t m = 0; m < handles[h].motions.size(); ++m) try {
-                Motion<Dim>& motion = handles[h].motions[m];
-                if (auto* field = std::get_if<FieldMotion<Dim>>(&motion.kind); field && !field->file.empty())
-                    field->values = std::make_shared<const Displacements<Dim>>(readDisplacements<Dim>(
-                        pathIn(folder, field->file), field->array, vertexCount(), plane));
-                auto* poses = std::get_if<PoseMotion<Dim>>(&motion.kind);
+                PinMotion& motion = handles[h].motions[m];
+                if (auto* field = std::get_if<FieldMotion<3>>(&motion.kind); field && !field->file.empty())
+                    field->values = std::make_shared<const Displacements<3>>(
+                        readDisplacements(pathIn(folder, field->file), field->array, vertexCount(), plane));
+                auto* poses = std::get_if<PoseMotion<3>>(&motion.kind);
                 if (!poses || poses->file.empty()) continue;
-                PoseMotion<Dim> read = readPoseTable<Dim>(pathIn(folder, poses->file));
+                PoseMotion<3> read = readPoseTable(pathIn(folder, poses->file), dimension);
                 read.file = poses->file;
                 read.hasOwnTimes = poses->hasOwnTimes;
                 *poses = std::move(read);
@@ -250,33 +245,28 @@ void readFiles(Project& project, const std::string& folder) {
             }
 }
 
-}  // namespace
-
-template <int Dim>
-Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices,
-                                     const PlaneFrame& plane) try {
-    return isTable(path) ? fromTable<Dim>(path, array, vertices, plane)
-                         : fromMesh<Dim>(path, array, vertices, plane);
+Displacements<3> readDisplacements(const std::string& path, const std::string& array, int vertices,
+                                   const PlaneFrame* plane) try {
+    return isTable(path) ? fromTable(path, array, vertices, plane) : fromMesh(path, array, vertices, plane);
 } catch (const InputError& error) {
     throw error.named(path);
 }
 
-template <int Dim>
-PoseMotion<Dim> readPoseTable(const std::string& path) try {
+PoseMotion<3> readPoseTable(const std::string& path, int dimension) try {
     const NumberTable table = readNumberTable(path);
-    const PoseColumns columns =
-        table.header.empty() ? columnsByPlace<Dim>(table.rows.front().size()) : namedColumns<Dim>(table);
-    PoseMotion<Dim> motion;
-    RotationVector<Dim> rotation = RotationVector<Dim>::Zero();
+    const PoseColumns columns = table.header.empty() ? columnsByPlace(table.rows.front().size(), dimension)
+                                                     : namedColumns(table, dimension);
+    PoseMotion<3> motion;
+    RotationVector<3> rotation = RotationVector<3>::Zero();
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const double time = table.rows[r][columns.time];
         if (r > 0 && time <= motion.times.back())
             table.failAt(r, "the time does not come after that of the row before");
         motion.times.push_back(time);
-        Vec<Dim> position;
-        for (int k = 0; k < Dim; ++k)
+        Vec3 position = Vec3::Zero();
+        for (int k = 0; k < dimension; ++k)
             position[k] = table.rows[r][columns.position[static_cast<std::size_t>(k)]];
-        rotation = rotationIn<Dim>(table, r, columns, rotation);
+        rotation = rotationIn(table, r, columns, rotation);
         motion.poses.push_back({position, rotation});
     }
     if (motion.poses.size() < 2) throw InputError("has 1 pose, at least 2 are needed");
@@ -284,16 +274,5 @@ PoseMotion<Dim> readPoseTable(const std::string& path) try {
 } catch (const InputError& error) {
     throw error.named(path);
 }
-
-void readHandleFiles(Project& project, const std::string& folder) {
-    dimensionOf(project) == 2 ? readFiles<2>(project, folder) : readFiles<3>(project, folder);
-}
-
-template Displacements<2> readDisplacements<2>(const std::string&, const std::string&, int,
-                                               const PlaneFrame&);
-template Displacements<3> readDisplacements<3>(const std::string&, const std::string&, int,
-                                               const PlaneFrame&);
-template PoseMotion<2> readPoseTable<2>(const std::string&);
-template PoseMotion<3> readPoseTable<3>(const std::string&);
 
 }  // namespace wend

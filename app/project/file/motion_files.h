@@ -15,16 +15,15 @@ void readHandleFiles(Project& project, const std::string& folder);
 
 /// Reads displacements of vertices: a point field of a mesh file, by name where there are several, or a table
 /// (.csv, .txt, .tsv) with the columns id, dx, dy[, dz]. `vertices`: as many the mesh has to have; 0: any.
-/// Vectors of space become those in the `plane` of a flat mesh. Throws InputError(path, place and reason).
-template <int Dim>
-Displacements<Dim> readDisplacements(const std::string& path, const std::string& array, int vertices = 0,
-                                     const PlaneFrame& plane = {});
+/// `plane`: of a flat shape, in which vectors of space become those of the plane. Throws InputError(path,
+/// place and reason).
+Displacements<3> readDisplacements(const std::string& path, const std::string& array, int vertices = 0,
+                                   const PlaneFrame* plane = nullptr);
 
 /// Reads a table of poses: time, position, and a rotation vector (7 columns), a quaternion (8 columns: x, y,
 /// z, w, or as the header names them), or in the plane an angle (4 columns). Throws InputError(path, place
 /// and reason).
-template <int Dim>
-PoseMotion<Dim> readPoseTable(const std::string& path);
+PoseMotion<3> readPoseTable(const std::string& path, int dimension);
 
 /// The file that a motion is read from; null for one that is in the project itself.
 template <class Kind>

@@ -62,10 +62,9 @@ std::vector<double> inPlane(const std::vector<double>& numbers) {
     return numbers;
 }
 
-template <int Dim>
-void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
-    std::vector<int> components{Dim * Dim, static_cast<int>(kSymmetricNumbers<Dim>)};
-    if (Dim == 2) components.insert(components.end(), {9, 6});
+void readCellFields(const MeshFile& file, MaterialSpec& spec, int dimension) {
+    std::vector<int> components{dimension * dimension, static_cast<int>(symmetricNumbers(dimension))};
+    if (dimension == 2) components.insert(components.end(), {9, 6});
     const bool named = !spec.cellsPhi.empty() || !spec.cellsB.empty();
     const MeshField* phi =
         named && spec.cellsPhi.empty() ? nullptr : wantedField(file, spec.cellsPhi, "phi", {1});
@@ -76,7 +75,7 @@ void readCellFields(const MeshFile& file, MaterialSpec<Dim>& spec) {
     for (auto at = B ? B->values.begin() : std::vector<double>::const_iterator(); B && at < B->values.end();
          at += B->components) {
         const std::vector<double> numbers(at, at + B->components);
-        spec.cellB.push_back(matrixFrom<Dim>(Dim == 2 ? inPlane(numbers) : numbers));
+        spec.cellB.push_back(matrixFrom(dimension == 2 ? inPlane(numbers) : numbers, dimension));
     }
     if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
 }
@@ -88,16 +87,15 @@ bool isMeshFile(const std::string& path) {
 
 }  // namespace
 
-template <int Dim>
-void readCells(const std::string& path, MaterialSpec<Dim>& spec) try {
-    if (isMeshFile(path)) return readCellFields<Dim>(*sharedMeshFile(path), spec);
+void readCells(const std::string& path, MaterialSpec& spec, int dimension) try {
+    if (isMeshFile(path)) return readCellFields(*sharedMeshFile(path), spec, dimension);
     if (!spec.cellsPhi.empty() || !spec.cellsB.empty())
         throw InputError("is no mesh file, of which fields could be taken by name");
     const auto json = parseJson(readTextFile(path), path);
     Extras extras;
     std::vector<std::string> warnings;
-    JsonObject object(JsonValue(json, "", extras, warnings));
-    readCellValues<Dim>(object, spec);
+    JsonObject object(JsonValue(json, "", extras, warnings).ofDimension(dimension));
+    readCellValues(object, spec);
 } catch (const InputError& error) {
     throw error.named(path);
 }
@@ -132,8 +130,5 @@ Outline readOutlineFile(const std::string& path) try {
 } catch (const InputError& error) {
     throw error.named(path);
 }
-
-template void readCells<2>(const std::string&, MaterialSpec<2>&);
-template void readCells<3>(const std::string&, MaterialSpec<3>&);
 
 }  // namespace wend

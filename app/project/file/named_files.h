@@ -18,8 +18,7 @@ std::string pathIn(const std::string& folder, const std::string& file);
 /// Reads the file of material.cells, a JSON object {"phi": [one per cell], "B": [[row-major] per cell]}, or a
 /// mesh file with these as cell values (.vtu, .vtk). `path` is used as it is. Throws InputError(path, key and
 /// reason).
-template <int Dim>
-void readCells(const std::string& path, MaterialSpec<Dim>& spec);
+void readCells(const std::string& path, MaterialSpec& spec, int dimension);
 
 /// Reads `count` factors, one per line or separated by blanks, each in the range of domain.sizes[].factor.
 /// Throws InputError(path, place and reason).

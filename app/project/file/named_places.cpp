@@ -59,22 +59,23 @@ std::vector<int> readIds(const std::string& path) {
 
 /// Returns the places of vertices of a surface that is repaired before it is meshed, because its vertices get
 /// other numbers.
-template <int Dim>
-std::vector<Vec<Dim>> placesOf(const std::vector<int>& vertices, const Eigen::Matrix3Xd& points) {
+std::vector<Vec3> placesOf(const std::vector<int>& vertices, const Eigen::Matrix3Xd& points) {
     std::set<std::array<double, 3>> known;
-    std::vector<Vec<Dim>> places;
+    std::vector<Vec3> places;
     for (const int v : vertices)
         if (known.insert({points(0, v), points(1, v), points(2, v)}).second)
-            places.emplace_back(points.col(v).template head<Dim>());
+            places.emplace_back(points.col(v).head<3>());
     return places;
 }
 
 class PlaceFinder {
   public:
-    PlaceFinder(const Domain& domain, const std::string& folder) : m_domain(domain), m_folder(folder) {}
+    PlaceFinder(const Project& project, const std::string& folder)
+        : m_domain(project.domain), m_dimension(project.dimension()), m_folder(folder) {}
 
-    template <int Dim>
-    std::optional<Placement<Dim>> find(const Json& name) {
+    int dimension() const { return m_dimension; }
+
+    std::optional<Placement<3>> find(const Json& name) {
         if (name.contains("vertices")) return readIds(pathIn(m_folder, name["vertices"].get<std::string>()));
         if (m_domain.kind == DomainKind::Image)
             throw InputError("`group` is for meshes and surfaces: a picture has no groups");
@@ -83,32 +84,35 @@ class PlaceFinder {
         if (name.contains("dimension")) dimension = name["dimension"].get<int>();
         std::vector<int> vertices = groupVertices(*m_file, name["group"].get<std::string>(), dimension);
         if (m_domain.kind == DomainKind::Surface && (m_domain.repair || !m_domain.fixes.empty()))
-            return placesOf<Dim>(vertices, pointsOf(*m_file));
+            return placesOf(vertices, pointsOf(*m_file));
         return vertices;
     }
 
     /// Returns the mean normal of a group.
-    template <int Dim>
-    std::optional<Vec<Dim>> normalOf(const std::string& group) {
+    std::optional<Vec3> normalOf(const std::string& group) {
         if (m_domain.kind == DomainKind::Image)
             throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
         if (!m_file && !readMesh()) return std::nullopt;
-        return groupNormal<Dim>(*m_file, group);
+        if (m_dimension == 2) return inSpace(groupNormal<2>(*m_file, group));
+        return groupNormal<3>(*m_file, group);
     }
 
     /// Returns the facets of a group.
-    template <int Dim>
-    std::shared_ptr<const GuideMesh<Dim>> wallOf(const std::string& group) {
+    std::shared_ptr<const GuideMesh<3>> wallOf(const std::string& group) {
         if (m_domain.kind == DomainKind::Image)
             throw InputError("normals of groups are for meshes and surfaces: a picture has no groups");
         if (!m_file && !readMesh()) return nullptr;
-        const GroupFacets<Dim> found = groupFacets<Dim>(*m_file, group);
-        auto wall = std::make_shared<GuideMesh<Dim>>();
-        wall->points = found.points;
-        if constexpr (Dim == 2)
+        auto wall = std::make_shared<GuideMesh<3>>();
+        if (m_dimension == 2) {
+            const GroupFacets<2> found = groupFacets<2>(*m_file, group);
+            wall->points = Points<3>::Zero(3, found.points.cols());
+            wall->points.topRows<2>() = found.points;
             wall->segments = found.facets;
-        else
+        } else {
+            const GroupFacets<3> found = groupFacets<3>(*m_file, group);
+            wall->points = found.points;
             wall->triangles = found.facets;
+        }
         return wall;
     }
 
@@ -123,57 +127,53 @@ class PlaceFinder {
     }
 
     const Domain& m_domain;
+    int m_dimension;
     const std::string& m_folder;
     std::shared_ptr<const MeshFile> m_file;
 };
 
-template <int Dim>
-Json asJson(const Placement<Dim>& place) {
+Json asJson(const Placement<3>& place) {
     if (const auto* ids = std::get_if<std::vector<int>>(&place)) return {{"vertices", *ids}};
     Json points = Json::array();
-    if (const auto* all = std::get_if<std::vector<Vec<Dim>>>(&place))
-        for (const Vec<Dim>& p : *all) points.push_back(std::vector<double>(p.begin(), p.end()));
+    if (const auto* all = std::get_if<std::vector<Vec3>>(&place))
+        for (const Vec3& p : *all) points.push_back(std::vector<double>(p.begin(), p.end()));  // of surfaces
     return {{"points", points}};
 }
 
-template <int Dim>
-Json directionJson(const Vec<Dim>& p) {
-    return std::vector<double>(p.begin(), p.end());
+Json directionJson(const Vec3& p, int dimension) {
+    return std::vector<double>(p.begin(), p.begin() + dimension);
 }
 
 /// Finds a direction whose name is in the extras.
-template <int Dim>
-void findDirection(Extras& extras, const char* pointer, PlaceFinder& finder, Vec<Dim>& direction) {
+void findDirection(Extras& extras, const char* pointer, PlaceFinder& finder, Vec3& direction) {
     std::string* text = nameAt(extras, pointer);
     if (!text) return;
     Json named = Json::parse(*text);
-    const auto normal = finder.normalOf<Dim>(named["name"].get<std::string>().substr(kNormalOf.size()));
+    const auto normal = finder.normalOf(named["name"].get<std::string>().substr(kNormalOf.size()));
     if (normal) direction = *normal;
-    named["as"] = directionJson<Dim>(direction);
+    named["as"] = directionJson(direction, finder.dimension());
     *text = named.dump();
 }
 
-template <int Dim>
-void findDirections(Handle<Dim>& handle, const std::string& where, PlaceFinder& finder) {
+void findDirections(Pin& handle, const std::string& where, PlaceFinder& finder) {
     std::string key = "hold.normal";
     try {
-        if (handle.normal) findDirection<Dim>(handle.extras, kHeld, finder, *handle.normal);
+        if (handle.normal) findDirection(handle.extras, kHeld, finder, *handle.normal);
         for (std::size_t m = 0; m < handle.motions.size(); ++m) {
             key = "motion[" + std::to_string(m) + "].axis";
-            if (auto* rotate = std::get_if<Rotate<Dim>>(&handle.motions[m].kind))
-                findDirection<Dim>(handle.motions[m].extras, kAxis, finder, rotate->axis);
+            if (auto* rotate = std::get_if<Rotate<3>>(&handle.motions[m].kind))
+                findDirection(handle.motions[m].extras, kAxis, finder, rotate->axis);
         }
     } catch (const InputError& error) {
         throw InputError(where + "." + key + ": " + error.message());
     }
 }
 
-template <int Dim>
-void findWalls(std::vector<MaterialRegion<Dim>>& regions, PlaceFinder& finder) {
+void findWalls(std::vector<MaterialRegion>& regions, PlaceFinder& finder) {
     for (std::size_t r = 0; r < regions.size(); ++r) {
         if (!regions[r].stiffness || regions[r].stiffness->wall.empty()) continue;
         try {
-            regions[r].stiffness->facets = finder.wallOf<Dim>(regions[r].stiffness->wall);
+            regions[r].stiffness->facets = finder.wallOf(regions[r].stiffness->wall);
         } catch (const InputError& error) {
             throw InputError("material.regions[" + std::to_string(r) +
                              "].stiffness.axis: " + error.message());
@@ -181,29 +181,28 @@ void findWalls(std::vector<MaterialRegion<Dim>>& regions, PlaceFinder& finder) {
     }
 }
 
-template <int Dim>
-void findPlaces(Project& project, const std::string& folder) {
-    PlaceFinder finder(project.domain, folder);
-    findWalls<Dim>(designOf<Dim>(project).material.regions, finder);
-    auto& handles = designOf<Dim>(project).handles;
+}  // namespace
+
+void findNamedPlaces(Project& project, const std::string& folder) {
+    PlaceFinder finder(project, folder);
+    findWalls(designOf(project).material.regions, finder);
+    auto& handles = designOf(project).handles;
     for (std::size_t h = 0; h < handles.size(); ++h) {
         const std::string where = "handles[" + std::to_string(h) + "]";
-        findDirections<Dim>(handles[h], where, finder);
+        findDirections(handles[h], where, finder);
         std::string* text = nameAt(handles[h].extras, kPlace);
         if (!text) continue;
         Json named = Json::parse(*text);
         try {
-            if (const auto place = finder.find<Dim>(named["name"])) handles[h].at = *place;
+            if (const auto place = finder.find(named["name"])) handles[h].at = *place;
         } catch (const InputError& error) {
             throw InputError(where + ".at: " + (error.file().empty() ? "" : error.file() + ": ") +
                              error.message());
         }
-        named["as"] = asJson<Dim>(handles[h].at);
+        named["as"] = asJson(handles[h].at);
         *text = named.dump();
     }
 }
-
-}  // namespace
 
 namespace {
 
@@ -225,20 +224,16 @@ std::string wallText(const std::string& group) {
     return std::string(kNormalOf) + group;
 }
 
-template <int Dim>
-Vec<Dim> readNamedDirection(const JsonValue& value) {
-    if (const auto group = readWall(value, Dim)) {
+Vec3 readNamedDirection(const JsonValue& value) {
+    if (const auto group = readWall(value, value.dimension())) {
         value.keepName({{"name", wallText(*group)}});
-        return Vec<Dim>::Zero();
+        return Vec3::Zero();
     }
-    if (!value.json().is_array()) failAsDirection(value, Dim);
-    const Vec<Dim> direction = value.point<Dim>();
+    if (!value.json().is_array()) failAsDirection(value, value.dimension());
+    const Vec3 direction = value.point();
     if (!(direction.stableNorm() > 0)) value.fail("must not be the zero vector");
     return direction;
 }
-
-template Vec<2> readNamedDirection<2>(const JsonValue&);
-template Vec<3> readNamedDirection<3>(const JsonValue&);
 
 void putNamedDirection(Json& json, const Extras& extras, const std::string& pointer) {
     const Json::json_pointer place(pointer);
@@ -251,16 +246,11 @@ void putNamedDirection(Json& json, const Extras& extras, const std::string& poin
     }
 }
 
-template <int Dim>
-void placeOnGroup(Handle<Dim>& handle, const std::string& group, int dimension,
-                  const std::vector<int>& vertices) {
+void placeOnGroup(Pin& handle, const std::string& group, int dimension, const std::vector<int>& vertices) {
     handle.at = vertices;
-    const Json named{{"name", {{"group", group}, {"dimension", dimension}}}, {"as", asJson<Dim>(handle.at)}};
+    const Json named{{"name", {{"group", group}, {"dimension", dimension}}}, {"as", asJson(handle.at)}};
     handle.extras.emplace_back(kPlace, named.dump());
 }
-
-template void placeOnGroup<2>(Handle<2>&, const std::string&, int, const std::vector<int>&);
-template void placeOnGroup<3>(Handle<3>&, const std::string&, int, const std::vector<int>&);
 
 Extras withoutNames(Extras extras) {
     std::erase_if(extras, [](const auto& extra) {
@@ -290,10 +280,6 @@ bool readNamedPlace(JsonObject& at, Extras& extras) {
     at.finish();
     extras.emplace_back(kPlace, Json{{"name", name}}.dump());
     return true;
-}
-
-void findNamedPlaces(Project& project, const std::string& folder) {
-    project.dimension() == 2 ? findPlaces<2>(project, folder) : findPlaces<3>(project, folder);
 }
 
 std::optional<Json> nameOfPlace(const Extras& extras, const Json& place) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/project/file/json_reader.h"
+#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
 
 namespace wend {
@@ -18,8 +19,7 @@ namespace wend {
 // held. Their names are kept under "/hold/normal", and with the motion's extras under "/axis".
 
 /// A direction, or one that is named and found with findNamedPlaces; it is zero until then.
-template <int Dim>
-Vec<Dim> readNamedDirection(const JsonValue& value);
+Vec3 readNamedDirection(const JsonValue& value);
 
 /// Returns the group that a direction "normal of GROUP" names; nothing if it is no text. Other texts fail,
 /// with an example of that dimension.
@@ -38,9 +38,7 @@ void findNamedPlaces(Project& project, const std::string& folder);
 /// Writes the name of a direction to its place in `json` if it still means that value.
 void putNamedDirection(nlohmann::ordered_json& json, const Extras& extras, const std::string& pointer);
 /// Places a handle on a group by its name, which means these vertices. `dimension`: of the group's cells.
-template <int Dim>
-void placeOnGroup(Handle<Dim>& handle, const std::string& group, int dimension,
-                  const std::vector<int>& vertices);
+void placeOnGroup(Pin& handle, const std::string& group, int dimension, const std::vector<int>& vertices);
 /// Returns the extras without names.
 Extras withoutNames(Extras extras);
 

@@ -97,7 +97,7 @@ Joint readJoint(const JsonValue& value) {
     Joint joint;
     JsonObject object(value.ownedBy(joint.extras));
     joint.to = object.require("to").text();
-    joint.at = object.require("at").point<2>();
+    joint.at = object.require("at").flatPoint();
     if (auto radius = object.find("radius")) {
         joint.radius = radius->number();
         if (joint.radius < 0) radius->fail("must not be negative");
@@ -126,7 +126,7 @@ PicturePart readPart(const JsonValue& value) {
     if (part.name.empty()) value.fail("has no name");
     if (auto outline = object.find("outline")) part.outline = readPartOutline(*outline);
     if (auto vertices = object.find("vertices")) part.vertices = vertices->integer("domain.vertices");
-    if (auto at = object.find("at")) part.at = at->point<2>();
+    if (auto at = object.find("at")) part.at = at->flatPoint();
     if (auto opacity = object.find("opacity")) {
         part.opacity = opacity->number();
         if (!(part.opacity >= 0 && part.opacity <= 1)) opacity->fail("must be in [0, 1]");

@@ -43,15 +43,14 @@ std::string readFileName(const JsonValue& value) {
     return name;
 }
 
-template <int Dim>
-SizeRegionIn<Dim> readSizeRegion(const JsonValue& owner) {
-    SizeRegionIn<Dim> region;
+SizeRegion readSizeRegion(const JsonValue& owner) {
+    SizeRegion region;
     JsonObject object(owner.ownedBy(region.extras));
     if (auto name = object.find("name")) region.name = name->text();
-    region.shape = readRegion<Dim>(object.require("shape"));
+    region.shape = readRegion(object.require("shape"));
     if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
     region.factor = object.require("factor").number("domain.sizes[].factor");
-    if (auto part = Dim == 2 ? object.find("part") : std::nullopt) region.part = part->text();
+    if (auto part = owner.dimension() == 2 ? object.find("part") : std::nullopt) region.part = part->text();
     object.finish();
     return region;
 }
@@ -72,15 +71,14 @@ void readImageDomain(JsonObject& object, Project& project) {
     if (auto outline = object.find("outline")) readOutline(*outline, project);
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
     if (auto sizes = object.find("sizes"))
-        for (const JsonValue& element : sizes->elements())
-            domain.flatSizes.push_back(readSizeRegion<2>(element));
+        for (const JsonValue& element : sizes->elements()) domain.sizes.push_back(readSizeRegion(element));
 }
 
 /// {"values": FILE} must come first, then regions.
 void readSizeField(const JsonValue& value, Domain& domain) {
     for (const JsonValue& element : value.elements()) {
         if (!element.json().is_object() || !element.json().contains("values")) {
-            domain.sizes.push_back(readSizeRegion<3>(element));
+            domain.sizes.push_back(readSizeRegion(element.ofDimension(3)));
             continue;
         }
         JsonObject object(element);
@@ -243,13 +241,12 @@ void readTime(const JsonValue& value, Project& project) {
     object.finish();
 }
 
-template <int Dim>
 void readDesign(JsonObject& root, Project& project) {
-    auto& design = project.design.emplace<Design<Dim>>();
-    if (auto material = root.find("material")) readMaterial<Dim>(*material, project);
+    Design& design = project.design;
+    if (auto material = root.find("material")) readMaterial(*material, project);
     if (auto handles = root.find("handles"))
         for (const JsonValue& element : handles->elements())
-            design.handles.push_back(readHandle<Dim>(element, project.end));
+            design.handles.push_back(readHandle(element, project.end));
 }
 
 /// The end of time covers them.
@@ -268,13 +265,13 @@ void readSettling(const JsonValue& value, Project& project) {
 SavedCamera readCamera(const JsonValue& value) {
     SavedCamera camera;
     JsonObject object(value);
-    camera.position = object.require("position").point<3>();
-    camera.target = object.require("target").point<3>();
-    camera.up = object.require("up").point<3>();
-    if (auto pivot = object.find("pivot")) camera.pivot = pivot->point<3>();
+    camera.position = object.require("position").point();
+    camera.target = object.require("target").point();
+    camera.up = object.require("up").point();
+    if (auto pivot = object.find("pivot")) camera.pivot = pivot->point();
     if (auto parallel = object.find("parallel")) camera.parallel = parallel->boolean();
     object.finish();
-    const Vec<3> way = camera.target - camera.position;
+    const Vec3 way = camera.target - camera.position;
     if (way.norm() == 0) value.fail("`position` and `target` are one point");
     if (way.cross(camera.up).norm() <= 1e-9 * way.norm() * camera.up.norm())
         value.fail("`up` gives no direction across the view");
@@ -296,8 +293,9 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     readDomain(root.require("domain"), project);
     if (auto time = root.find("time")) readTime(*time, project);
     readGroup(root, "integration", project);
-    dimensionOf(project.domain, folder, json) == 2 ? readDesign<2>(root, project)
-                                                   : readDesign<3>(root, project);
+    project.design.dimension = dimensionOf(project.domain, folder, json);
+    root.setDimension(project.dimension());
+    readDesign(root, project);
     findNamedPlaces(project, folder);
     readHandleFiles(project, folder);
     project.endIsGiven = root.has("time") && root.value().json()["time"].contains("end");

@@ -24,10 +24,7 @@ constexpr Accessor at(At) {
 /// Accesses what `At` finds in the material of the whole shape.
 template <class At>
 constexpr Accessor inMaterial(At) {
-    return at([](auto& project) -> auto& {
-        return std::visit(
-            [](auto& design) -> auto& { return At{}(design.material); }, project.design);
-    });
+    return at([](auto& project) -> auto& { return At{}(project.design.material); });
 }
 
 #define AT(member) at([](auto& project) -> auto& { return project.member; })
@@ -56,22 +53,13 @@ constexpr Accessor kAim{[](const Project& project) { return static_cast<double>(
 
 /// A length of 0 is no smoothing.
 constexpr Accessor kSmoothing{[](const Project& project) {
-                                  return std::visit(
-                                      [](const auto& design) {
-                                          const Smoothing& smoothing = design.material.smoothing;
-                                          return smoothing.kind == SmoothingKind::None ? 0 : smoothing.length;
-                                      },
-                                      project.design);
+                                  const Smoothing& smoothing = project.design.material.smoothing;
+                                  return smoothing.kind == SmoothingKind::None ? 0 : smoothing.length;
                               },
                               [](Project& project, double value) {
-                                  std::visit(
-                                      [value](auto& design) {
-                                          Smoothing& smoothing = design.material.smoothing;
-                                          smoothing.kind =
-                                              value > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
-                                          if (value > 0) smoothing.length = value;
-                                      },
-                                      project.design);
+                                  Smoothing& smoothing = project.design.material.smoothing;
+                                  smoothing.kind = value > 0 ? SmoothingKind::Invariant : SmoothingKind::None;
+                                  if (value > 0) smoothing.length = value;
                               }};
 
 // --- Which projects have them ---
@@ -83,8 +71,7 @@ constexpr bool hasDomain(const Project& project) {
 
 template <SmoothingKind Kind>
 bool smooths(const Project& project) {
-    return std::visit([](const auto& design) { return design.material.smoothing.kind == Kind; },
-                      project.design);
+    return project.design.material.smoothing.kind == Kind;
 }
 
 constexpr Scope kPicture{hasDomain<DomainKind::Image>, "pictures"};

@@ -11,31 +11,23 @@ int single(const ShapeSession& session) {
     return session.frame() ? session.singleHandle() : -1;
 }
 
-template <int Dim>
-void makeCurveOf(ShapeSession& session, int handle) {
-    Document& document = session.document();
-    const auto starts = session.pathStarts<Dim>(handle);
-    if (starts.empty()) return;
-    const auto path = pinPaths<Dim>(document.design<Dim>().handles[handle], {meanOf<Dim>(starts)});
-    const auto next = withCurve(document.design<Dim>(), handle, path.front().points.back());
-    if (next) document.changeDesign(ShapeSession::tr("Edit path"), *next);
-}
-
 }  // namespace
 
 bool canMakeCurve(const ShapeSession& session) {
     const int handle = single(session);
     if (handle < 0) return false;
-    return std::visit([handle](const auto& design) { return canBecomeCurve(design, handle); },
-                      session.document().design());
+    return canBecomeCurve(session.document().design(), handle);
 }
 
 void makeCurve(ShapeSession& session) {
     if (!canMakeCurve(session)) return;
-    if (session.document().dimension() == 2)
-        makeCurveOf<2>(session, single(session));
-    else
-        makeCurveOf<3>(session, single(session));
+    Document& document = session.document();
+    const int handle = single(session);
+    const auto starts = session.pathStarts(handle);
+    if (starts.empty()) return;
+    const auto path = pinPaths<3>(document.design().handles[handle], {meanOf<3>(starts)});
+    const auto next = withCurve(document.design(), handle, path.front().points.back());
+    if (next) document.changeDesign(ShapeSession::tr("Edit path"), *next);
 }
 
 }  // namespace wend

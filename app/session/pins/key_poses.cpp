@@ -10,12 +10,11 @@ namespace wend {
 
 namespace {
 
-template <int Dim>
-std::vector<Vec<Dim>> startsOf(const ShapeSession& session) {
-    std::vector<Vec<Dim>> starts;
+std::vector<Vec3> startsOf(const ShapeSession& session) {
+    std::vector<Vec3> starts;
     for (int h = 0; h < session.handleCount(); ++h) {
-        const auto own = session.pathStarts<Dim>(h);
-        starts.push_back(own.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : meanOf<Dim>(own));
+        const auto own = session.pathStarts(h);
+        starts.push_back(own.empty() ? Vec3(Vec3::Zero()) : meanOf<3>(own));
     }
     return starts;
 }
@@ -24,11 +23,11 @@ template <int Dim>
 std::vector<CopiedKey> mirroredKeysOf(const ShapeSession& session, std::vector<CopiedKey> copies) {
     const auto frame = session.frame<Dim>();
     if (!frame) return {};
-    const Mirror<Dim> mirror = mirrorOf<Dim>(*frame->rest);
-    const std::vector<int> images = mirrorImages<Dim>(*frame, session.document().design<Dim>().handles);
+    const Mirror mirror = mirrorOf<Dim>(*frame->rest);
+    const std::vector<int> images = mirrorImages<Dim>(*frame, session.document().design().handles);
     for (CopiedKey& copy : copies) {
         copy.handle = images.at(static_cast<std::size_t>(copy.handle));
-        copy.offset = amountOf<Dim>(mirror.along(copy.offset.template head<Dim>()));
+        copy.offset = mirror.along(copy.offset);
     }
     return copies;
 }
@@ -36,9 +35,7 @@ std::vector<CopiedKey> mirroredKeysOf(const ShapeSession& session, std::vector<C
 }  // namespace
 
 std::vector<CopiedKey> copyKeys(const ShapeSession& session, const std::vector<KeyId>& keys) {
-    const Document& document = session.document();
-    return document.dimension() == 2 ? copiedKeys<2>(document.design<2>(), keys, startsOf<2>(session))
-                                     : copiedKeys<3>(document.design<3>(), keys, startsOf<3>(session));
+    return copiedKeys(session.document().design(), keys, startsOf(session));
 }
 
 std::vector<CopiedKey> mirroredKeys(const ShapeSession& session, std::vector<CopiedKey> copies) {
@@ -65,10 +62,7 @@ std::vector<KeyId> pasteKeys(ShapeSession& session, std::vector<CopiedKey> copie
         if (!locked.contains(copy.handle) && !session.mayChange(copy.handle)) locked.insert(copy.handle);
     std::erase_if(copies, [&](const CopiedKey& copy) { return locked.contains(copy.handle); });
     std::vector<KeyId> pasted;
-    const auto next =
-        document.dimension() == 2
-            ? withKeysPasted<2>(*document.project(), copies, time, startsOf<2>(session), pasted)
-            : withKeysPasted<3>(*document.project(), copies, time, startsOf<3>(session), pasted);
+    const auto next = withKeysPasted(*document.project(), copies, time, startsOf(session), pasted);
     if (pasted.size() < copies.size())
         emit session.notice(ShapeSession::tr(
             "No pose was set where a pin begins, rotates or does not hold: show another time."));
@@ -81,12 +75,8 @@ void easeMotions(ShapeSession& session, const std::vector<MotionId>& motions, co
                  const QString& step, const QString& mergeKey) {
     Document& document = session.document();
     session.playback().setPlaying(false);
-    if (document.dimension() == 2)
-        document.changeDesign(
-            step, withProgress<2>(document.design<2>(), motions, progress, startsOf<2>(session)), mergeKey);
-    else
-        document.changeDesign(
-            step, withProgress<3>(document.design<3>(), motions, progress, startsOf<3>(session)), mergeKey);
+    document.changeDesign(step, withProgress(document.design(), motions, progress, startsOf(session)),
+                          mergeKey);
 }
 
 }  // namespace wend

@@ -29,13 +29,12 @@ double edgeOf(const SimplicialMesh<Dim>& mesh) {
 /// Returns the mean distance of mirrored vertices from their nearest vertices; values below an edge length
 /// are noise.
 template <int Dim>
-double unlikeness(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator,
-                  const Mirror<Dim>& mirror) {
+double unlikeness(const SimplicialMesh<Dim>& rest, const PointLocator<Dim>& locator, const Mirror& mirror) {
     const int step = std::max(1, rest.vertexCount() / kSamples);
     double sum = 0;
     int count = 0;
     for (int v = 0; v < rest.vertexCount(); v += step, ++count) {
-        const Vec<Dim> image = mirror(rest.points.col(v));
+        const Vec<Dim> image = mirror(inSpace(Vec<Dim>(rest.points.col(v)))).template head<Dim>();
         sum += (rest.points.col(locator.nearestVertex(image)) - image).norm();
     }
     return std::max(sum / count, edgeOf(rest));
@@ -52,10 +51,12 @@ class Imager {
           m_size(frame.diagonal) {}
 
     /// Returns nothing if the image would be outside the shape.
-    std::optional<Handle<Dim>> operator()(const Handle<Dim>& handle) const {
-        Handle<Dim> image = handle;
-        const bool lies = std::visit([this](auto& at) { return this->move(at); }, image.at);
-        for (Motion<Dim>& motion : image.motions) motion = mirrored(motion, m_mirror);
+    std::optional<Pin> operator()(const Pin& handle) const {
+        Pin image = handle;
+        Placement<Dim> place = placementIn<Dim>(handle.at);
+        const bool lies = std::visit([this](auto& at) { return this->move(at); }, place);
+        image.at = inSpace(place);
+        for (PinMotion& motion : image.motions) motion = mirrored(motion, m_mirror);
         if (image.normal) image.normal = m_mirror.along(*image.normal);
         image.traits.locked = image.traits.hidden = false;
         image.traits.link = 0;
@@ -63,16 +64,15 @@ class Imager {
         return lies ? std::optional(image) : std::nullopt;
     }
     /// Returns whether a handle already holds the same place.
-    bool isTaken(const Handle<Dim>& image, const std::vector<Handle<Dim>>& handles) const {
+    bool isTaken(const Pin& image, const std::vector<Pin>& handles) const {
         const Vec<Dim> own = middleOf(image);
-        return std::any_of(handles.begin(), handles.end(), [&](const Handle<Dim>& other) {
-            return (middleOf(other) - own).norm() < kSame * m_size;
-        });
+        return std::any_of(handles.begin(), handles.end(),
+                           [&](const Pin& other) { return (middleOf(other) - own).norm() < kSame * m_size; });
     }
 
     /// Returns the number of the handle that is nearest to the image of one.
-    int counterpart(const std::vector<Handle<Dim>>& handles, int of) const {
-        const Vec<Dim> image = m_mirror(middleOf(handles[of]));
+    int counterpart(const std::vector<Pin>& handles, int of) const {
+        const Vec<Dim> image = imageOf(middleOf(handles[of]));
         int best = of;
         double least = kPaired * m_size;
         for (int h = 0; h < static_cast<int>(handles.size()); ++h)
@@ -81,6 +81,7 @@ class Imager {
     }
 
   private:
+    Vec<Dim> imageOf(const Vec<Dim>& p) const { return m_mirror(inSpace(p)).template head<Dim>(); }
     int nearest(const Vec<Dim>& p) const {
         const int v = m_locator.nearestVertex(p);
         return (m_rest.points.col(v) - p).norm() <= kReach * m_size ? v : -1;
@@ -88,7 +89,7 @@ class Imager {
     bool move(std::vector<int>& vertices) const {
         std::set<int> images;
         for (const int v : vertices)
-            if (v < m_rest.vertexCount()) images.insert(nearest(m_mirror(m_rest.points.col(v))));
+            if (v < m_rest.vertexCount()) images.insert(nearest(imageOf(m_rest.points.col(v))));
         images.erase(-1);
         vertices.assign(images.begin(), images.end());
         return !vertices.empty();
@@ -96,7 +97,7 @@ class Imager {
     bool move(std::vector<Vec<Dim>>& points) const {
         std::vector<Vec<Dim>> images;
         for (const Vec<Dim>& p : points) {
-            const Vec<Dim> image = m_mirror(p);
+            const Vec<Dim> image = imageOf(p);
             if (m_locator.find(image, 1e-9))
                 images.push_back(image);
             else if (const int v = nearest(image); v >= 0)
@@ -106,10 +107,10 @@ class Imager {
         return !points.empty();
     }
     bool move(Region<Dim>& region) const {
-        region = mirrored<Dim>(region, m_mirror);
+        region = regionIn<Dim>(mirrored(inSpace(region), m_mirror));
         return !verticesInside<Dim>(region, m_rest).empty();
     }
-    Vec<Dim> middleOf(const Handle<Dim>& handle) const {
+    Vec<Dim> middleOf(const Pin& handle) const {
         std::vector<Vec<Dim>> points;
         const auto places = placePins<Dim>({handle}, m_rest, m_locator);
         for (const auto& place : places.front().points)
@@ -120,7 +121,7 @@ class Imager {
 
     const SimplicialMesh<Dim>& m_rest;
     PointLocator<Dim> m_locator;
-    Mirror<Dim> m_mirror;
+    Mirror m_mirror;
     double m_size;
 };
 
@@ -128,8 +129,7 @@ QString imageName(const std::string& name) {
     return ShapeSession::tr("%1 mirrored").arg(QString::fromStdString(name));
 }
 
-template <int Dim>
-std::string freeImageName(const std::vector<Handle<Dim>>& handles, const std::string& name) {
+std::string freeImageName(const std::vector<Pin>& handles, const std::string& name) {
     const QString wish = imageName(name);
     QString free = wish;
     const auto isTaken = [&](const QString& one) {
@@ -146,7 +146,7 @@ void mirrorPinsOf(ShapeSession& session) {
     if (!frame) return;
     Document& document = session.document();
     const Imager<Dim> imager(*frame);
-    Design<Dim> next = document.design<Dim>();
+    Design next = document.design();
     auto& handles = next.handles;
     std::vector<int> made;
     bool beside = false, taken = false;
@@ -175,7 +175,7 @@ void mirrorMotionOf(ShapeSession& session) {
     const auto frame = session.frame<Dim>();
     if (!frame) return;
     Document& document = session.document();
-    Design<Dim> next = document.design<Dim>();
+    Design next = document.design();
     auto& handles = next.handles;
     std::vector<int> moved;
     std::vector<Vec<Dim>> starts;
@@ -186,10 +186,10 @@ void mirrorMotionOf(ShapeSession& session) {
         starts.push_back(meanOf<Dim>(own));
     }
     if (moved.empty()) return;
-    Mirror<Dim> mirror = mirrorOf<Dim>(*frame->rest);
+    Mirror mirror = mirrorOf<Dim>(*frame->rest);
     mirror.at = meanOf<Dim>(starts)[mirror.axis];
     for (const int h : moved)
-        for (Motion<Dim>& motion : handles[h].motions) motion = mirrored(motion, mirror);
+        for (PinMotion& motion : handles[h].motions) motion = mirrored(motion, mirror);
     document.changeDesign(ShapeSession::tr("Mirror the motion of %1").arg(session.nameOf(moved)),
                           std::move(next));
 }
@@ -197,14 +197,14 @@ void mirrorMotionOf(ShapeSession& session) {
 }  // namespace
 
 template <int Dim>
-Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest) {
+Mirror mirrorOf(const SimplicialMesh<Dim>& rest) {
     const Vec<Dim> middle = (rest.points.rowwise().minCoeff() + rest.points.rowwise().maxCoeff()) / 2;
-    Mirror<Dim> best{0, middle[0]};
+    Mirror best{0, middle[0]};
     if (Dim == 2) return best;
     const PointLocator<Dim> locator(rest.points, rest.cells);
     double least = unlikeness(rest, locator, best);
     for (int k = 1; k < Dim; ++k) {
-        const Mirror<Dim> other{k, middle[k]};
+        const Mirror other{k, middle[k]};
         const double unlike = unlikeness(rest, locator, other);
         if (unlike < least) least = unlike, best = other;
     }
@@ -212,7 +212,7 @@ Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest) {
 }
 
 template <int Dim>
-std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Handle<Dim>>& handles) {
+std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Pin>& handles) {
     const Imager<Dim> imager(frame);
     std::vector<int> images;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h)
@@ -230,19 +230,15 @@ void mirrorMotion(ShapeSession& session) {
 
 bool canMirrorMotion(const ShapeSession& session) {
     if (session.document().isEmpty()) return false;
-    return std::visit(
-        [&](const auto& design) {
-            const auto& selected = session.selection().handles();
-            return std::any_of(selected.begin(), selected.end(), [&](int h) {
-                return h < static_cast<int>(design.handles.size()) && !design.handles[h].motions.empty();
-            });
-        },
-        session.document().design());
+    const auto& handles = session.document().design().handles;
+    return std::ranges::any_of(session.selection().handles(), [&](int h) {
+        return h < static_cast<int>(handles.size()) && !handles[h].motions.empty();
+    });
 }
 
-template std::vector<int> mirrorImages<2>(const PosedFrame<2>&, const std::vector<Handle<2>>&);
-template std::vector<int> mirrorImages<3>(const PosedFrame<3>&, const std::vector<Handle<3>>&);
-template Mirror<2> mirrorOf<2>(const SimplicialMesh<2>&);
-template Mirror<3> mirrorOf<3>(const SimplicialMesh<3>&);
+template std::vector<int> mirrorImages<2>(const PosedFrame<2>&, const std::vector<Pin>&);
+template std::vector<int> mirrorImages<3>(const PosedFrame<3>&, const std::vector<Pin>&);
+template Mirror mirrorOf<2>(const SimplicialMesh<2>&);
+template Mirror mirrorOf<3>(const SimplicialMesh<3>&);
 
 }  // namespace wend

@@ -9,12 +9,12 @@ namespace wend {
 /// axis-aligned plane through the middle that makes it most similar to its mirror image (the first of
 /// equals).
 template <int Dim>
-Mirror<Dim> mirrorOf(const SimplicialMesh<Dim>& rest);
+Mirror mirrorOf(const SimplicialMesh<Dim>& rest);
 
 /// Returns for each handle the one that is nearest to its mirror image, which may be itself; itself if none
 /// is near.
 template <int Dim>
-std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Handle<Dim>>& handles);
+std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Pin>& handles);
 
 /// Adds and selects a mirrored pin with a mirrored motion for each selected pin. Emits a notice where that is
 /// impossible.

@@ -73,9 +73,9 @@ double turningRadius(const Vec<Dim>& middle, const SimplicialMesh<Dim>& rest, co
 template <int Dim>
 bool holdsPoint(const ShapeSession& session, int handle) {
     if (handle < 0 || session.document().dimension() != Dim) return false;
-    const Placement<Dim>& at = session.document().design<Dim>().handles.at(handle).at;
+    const Placement<3>& at = session.document().design().handles.at(handle).at;
     const auto* vertices = std::get_if<std::vector<int>>(&at);
-    const auto* points = std::get_if<std::vector<Vec<Dim>>>(&at);
+    const auto* points = std::get_if<std::vector<Vec3>>(&at);
     return (vertices && vertices->size() == 1) || (points && points->size() == 1);
 }
 
@@ -83,8 +83,8 @@ template <int Dim>
 bool widenPoint(ShapeSession& session, int handle) {
     const auto shape = session.frame<Dim>();
     if (!shape || session.document().dimension() != Dim) return false;
-    const Handle<Dim>& own = session.document().design<Dim>().handles.at(handle);
-    const Vec<Dim> middle = middleOf<Dim>(own.at, *shape->rest);
+    const Pin& own = session.document().design().handles.at(handle);
+    const Vec<Dim> middle = middleOf<Dim>(placementIn<Dim>(own.at), *shape->rest);
     return widenPin<Dim>(session, handle,
                          turningRadius<Dim>(middle, *shape->rest, rangeOf(*shape->rest, own.part)));
 }
@@ -126,12 +126,12 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     if (!session.mayChange(handle)) return false;
     if (!shape || session.document().dimension() != Dim) return false;
     Document& document = session.document();
-    const Handle<Dim>& own = document.design<Dim>().handles.at(handle);
-    const Vec<Dim> middle = middleOf<Dim>(own.at, *shape->rest);
+    const Pin& own = document.design().handles.at(handle);
+    const Vec<Dim> middle = middleOf<Dim>(placementIn<Dim>(own.at), *shape->rest);
     if (radius == 0) {
         const Placement<Dim> point = std::vector<Vec<Dim>>{pointNear<Dim>(middle, *shape->rest)};
         document.changeDesign(ShapeSession::tr("Change %1").arg(QString::fromStdString(own.name)),
-                              withHandlePlace<Dim>(document.design<Dim>(), handle, point), key);
+                              withHandlePlace(document.design(), handle, inSpace(point)), key);
         return true;
     }
     const Region<Dim> wide = Ball<Dim>{middle, radius};
@@ -143,7 +143,7 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
         return false;
     }
     document.changeDesign(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),
-                          withHandlePlace<Dim>(document.design<Dim>(), handle, wide), key);
+                          withHandlePlace(document.design(), handle, inSpace(wide)), key);
     return true;
 }
 

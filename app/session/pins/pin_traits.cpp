@@ -13,7 +13,7 @@ namespace {
 /// `step` with the pins' names in the place of %1.
 template <class Change>
 void change(ShapeSession& session, const std::vector<int>& pins, const QString& step, const Change& change) {
-    const AnyDesign& design = session.document().design();
+    const Design& design = session.document().design();
     const bool changes = std::any_of(pins.begin(), pins.end(), [&](int pin) {
         HandleTraits traits = traitsOf(design, pin);
         change(traits);
@@ -54,7 +54,7 @@ void setColour(ShapeSession& session, const std::vector<int>& pins, std::optiona
 
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {
     const double end = session.document().end();
-    AnyDesign next = session.document().design();
+    Design next = session.document().design();
     for (const int pin : pins)
         if (!session.isLocked(pin)) next = withHold(next, pin, {0, end}, end);
     session.document().changeDesign(
@@ -70,7 +70,7 @@ bool canHoldLonger(const ShapeSession& session, const std::vector<int>& pins) {
 }
 
 void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked) {
-    const AnyDesign& design = session.document().design();
+    const Design& design = session.document().design();
     session.document().changeDesign(
         (linked ? ShapeSession::tr("Link %1") : ShapeSession::tr("Unlink %1")).arg(session.nameOf(pins)),
         linked ? withLink(design, pins) : withoutLink(design, pins));

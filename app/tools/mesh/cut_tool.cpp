@@ -50,8 +50,8 @@ void CutTool::move(const QMouseEvent& event) {
     }
     const Amount amount = m_manipulator.drag(surface(), event.position());
     const Grip grip = m_manipulator.grip(surface());
-    m_plane.point = carried<3>(grip, amount, m_start.point);
-    m_plane.normal = carried<3>(grip, amount, Vec<3>(m_start.point + m_start.normal)) - m_plane.point;
+    m_plane.point = carried(grip, amount, m_start.point);
+    m_plane.normal = carried(grip, amount, Vec<3>(m_start.point + m_start.normal)) - m_plane.point;
     m_changed(m_plane);
 }
 

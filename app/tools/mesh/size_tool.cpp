@@ -46,8 +46,8 @@ void SizeTool<Dim>::take(const std::vector<Dab>& dabs) {
             QCoreApplication::translate("SizeTool", "The mesh comes from a file and is used as it is."));
         return;
     }
-    std::vector<Ball<Dim>> balls;
-    for (const Dab& one : dabs) balls.push_back(this->ballOf(one));
+    std::vector<Ball<3>> balls;
+    for (const Dab& one : dabs) balls.push_back({inSpace(one.rest), one.radius});
     const QString name = factor() < 1   ? QCoreApplication::translate("SizeTool", "Paint finer mesh")
                          : factor() > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser mesh")
                                         : QCoreApplication::translate("SizeTool", "Paint even mesh");

@@ -30,8 +30,8 @@ QString stopName(double phi, int dimension) {
 }  // namespace
 
 template <int Dim>
-MaterialPaint<Dim> paintOf(const BrushSettings& brush, const Vec<Dim>& along) {
-    MaterialPaint<Dim> paint;
+MaterialPaint paintOf(const BrushSettings& brush, const Vec<Dim>& along) {
+    MaterialPaint paint;
     if (brush.target == BrushTarget::Keep) {
         paint.phi = brush.phi;
         return paint;
@@ -39,7 +39,7 @@ MaterialPaint<Dim> paintOf(const BrushSettings& brush, const Vec<Dim>& along) {
     Vec<Dim> axis = brush.axis.template head<Dim>();
     if (brush.along != StiffAlong::Axis && !along.isZero()) axis = along;
     if (axis.isZero()) axis = Vec<Dim>::UnitX();
-    paint.stiffness = Stiffness<Dim>{axis.normalized(), brush.ratio};
+    paint.stiffness = Stiffness{inSpace(Vec<Dim>(axis.normalized())), brush.ratio};
     return paint;
 }
 
@@ -49,10 +49,9 @@ void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush) {
     next.phi = frame.material->phi[cell];
     next.ratio = 1;
     if (!frame.material->anisotropy.empty()) {
-        const Stiffness<Dim> stiffness = stiffnessOf<Dim>(frame.material->anisotropy[cell]);
+        const Stiffness stiffness = stiffnessOf<Dim>(frame.material->anisotropy[cell]);
         next.ratio = std::max(1.0, stiffness.ratio);
-        next.axis.setZero();
-        next.axis.template head<Dim>() = stiffness.axis;
+        next.axis = stiffness.axis;
     }
     brush.set(next);
 }
@@ -74,9 +73,8 @@ std::string brushAim(const BrushSettings& brush) {
 
 namespace {
 
-template <int Dim>
-bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
-    if (region.pictures.any() || std::holds_alternative<Blend<Dim>>(region.shape)) return false;
+bool hasPaintOf(const MaterialRegion& region, const BrushSettings& brush) {
+    if (region.pictures.any() || std::holds_alternative<Blend<3>>(region.shape)) return false;
     if (brush.target == BrushTarget::Keep)
         return region.phi && !region.stiffness && std::abs(*region.phi - brush.phi) < kSameValue;
     return region.stiffness && !region.phi &&
@@ -85,7 +83,7 @@ bool hasPaintOf(const MaterialRegion<Dim>& region, const BrushSettings& brush) {
 
 /// Returns whether a layer takes paint. Hidden layers do not, because the paint would be invisible.
 template <int Dim>
-bool takes(const Design<Dim>& design, const std::string& layer, const BrushSettings& brush,
+bool takes(const Design& design, const std::string& layer, const BrushSettings& brush,
            const ChosenLayer& chosen, const std::string& aim) {
     if (layer.empty() || isGroupHidden(design, layer)) return false;
     if (layer == chosen.name && !chosen.aim.empty()) return chosen.aim == aim;
@@ -101,7 +99,7 @@ bool takes(const Design<Dim>& design, const std::string& layer, const BrushSetti
 }  // namespace
 
 template <int Dim>
-std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
+std::string layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
                      const std::string& aim, const std::string& kind) {
     const auto& regions = design.material.regions;
     const auto isFit = [&](const std::string& layer) {
@@ -119,7 +117,7 @@ QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std:
     if (!own.isEmpty() && !own.contains(numbered)) return own;
     const auto frame = session.frame<Dim>();
     if (!frame) return {};
-    const auto& handles = session.document().template design<Dim>().handles;
+    const auto& handles = session.document().design().handles;
     QString nearest;
     double reach = kNear * boundingBoxDiagonal<Dim>(frame->rest->points);
     for (std::size_t i = 0; i < handles.size(); ++i) {
@@ -142,14 +140,14 @@ QString nothingToPaint() {
         "right how many times stiffer it should be");
 }
 
-template MaterialPaint<2> paintOf<2>(const BrushSettings&, const Vec<2>&);
-template MaterialPaint<3> paintOf<3>(const BrushSettings&, const Vec<3>&);
+template MaterialPaint paintOf<2>(const BrushSettings&, const Vec<2>&);
+template MaterialPaint paintOf<3>(const BrushSettings&, const Vec<3>&);
 template void pickMaterial<2>(const PosedFrame<2>&, int, Brush&);
 template void pickMaterial<3>(const PosedFrame<3>&, int, Brush&);
-template std::string layerFor<2>(const Design<2>&, const BrushSettings&, const ChosenLayer&,
-                                 const std::string&, const std::string&);
-template std::string layerFor<3>(const Design<3>&, const BrushSettings&, const ChosenLayer&,
-                                 const std::string&, const std::string&);
+template std::string layerFor<2>(const Design&, const BrushSettings&, const ChosenLayer&, const std::string&,
+                                 const std::string&);
+template std::string layerFor<3>(const Design&, const BrushSettings&, const ChosenLayer&, const std::string&,
+                                 const std::string&);
 template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::string&);
 template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
 

@@ -12,7 +12,7 @@ namespace wend {
 
 /// Returns the paint of an area that is filled with the brush; `along` gives its direction.
 template <int Dim>
-MaterialPaint<Dim> paintOf(const BrushSettings& brush, const Vec<Dim>& along = Vec<Dim>::Zero());
+MaterialPaint paintOf(const BrushSettings& brush, const Vec<Dim>& along = Vec<Dim>::Zero());
 /// Copies the material of a place to the brush.
 template <int Dim>
 void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush);
@@ -25,7 +25,7 @@ std::string brushAim(const BrushSettings& brush);
 /// Returns the layer for the paint: the selected one if it holds this kind, else the topmost that does, else
 /// a new one named after the kind.
 template <int Dim>
-std::string layerFor(const Design<Dim>& design, const BrushSettings& brush, const ChosenLayer& chosen,
+std::string layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
                      const std::string& aim, const std::string& kind);
 /// Returns a name for a place at rest: that of its layer or of the nearest pin; empty far from both.
 template <int Dim>

@@ -26,8 +26,8 @@ QColor DepthTool::colour() const {
 }
 
 void DepthTool::take(const std::vector<Dab>& dabs) {
-    std::vector<Ball<2>> balls;
-    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
+    std::vector<Ball<3>> balls;
+    for (const Dab& one : dabs) balls.push_back({inSpace(one.rest), one.radius});
     Document& document = session().document();
     document.changeDepth(order() > 0   ? QCoreApplication::translate("DepthTool", "Paint in front")
                          : order() < 0 ? QCoreApplication::translate("DepthTool", "Paint behind")

@@ -40,12 +40,12 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const SimplicialMesh<Dim>& rest = *surface().shownFrame()->rest;
     Document& document = session().document();
     const std::string folder = document.folder().toStdString();
-    const Region<Dim> shape =
-        modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell));
+    const Region<3> shape =
+        inSpace(modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell)));
     const std::string part = partNameOf<Dim>(rest, cell);
-    const Design<Dim>& design = document.template design<Dim>();
+    const Design& design = document.design();
     if (modifiers & Qt::ControlModifier) {
-        const Eraser<Dim> eraser{.shape = shape, .part = part};
+        const Eraser eraser{.shape = shape, .part = part};
         show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
                                       folder),
              QCoreApplication::translate("PaintTool", "Erase paint"));
@@ -56,13 +56,13 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
         session().notify(nothingToPaint());
         return;
     }
-    const MaterialPaint<Dim> paint = paintOf<Dim>(brush);
+    const MaterialPaint paint = paintOf<Dim>(brush);
     const QString what = brushKind(brush, Dim);
     const std::string aim = brushAim(brush);
     const std::string layer = layerFor<Dim>(design, brush, m_brush.layer().now(), aim, what.toStdString());
-    MaterialRegion<Dim> region{{}, shape, 0, paint.phi, paint.stiffness};
+    MaterialRegion region{{}, shape, 0, paint.phi, paint.stiffness};
     region.part = part;
-    show(withStroke<Dim>(design, layer, {std::move(region)}),
+    show(withStroke(design, layer, {std::move(region)}),
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
     m_brush.layer().set({layer, aim});
 } catch (const InputError& error) {  // a picture of the material is missing
@@ -70,7 +70,7 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
 }
 
 template <int Dim>
-void FillTool<Dim>::show(Design<Dim> next, const QString& step) {
+void FillTool<Dim>::show(Design next, const QString& step) {
     Document& document = session().document();
     surface().showMaterial(
         rasterizeMaterial<Dim>(next.material, *surface().shownFrame()->rest, document.folder().toStdString()),

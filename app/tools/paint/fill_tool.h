@@ -36,7 +36,7 @@ class FillTool : public ShapeTool<Dim> {
     using ShapeTool<Dim>::surface;
     using ShapeTool<Dim>::session;
     void fill(int cell, Qt::KeyboardModifiers modifiers);
-    void show(Design<Dim> next, const QString& step);
+    void show(Design next, const QString& step);
 
     Brush& m_brush;
     Deed m_deed;

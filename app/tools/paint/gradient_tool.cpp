@@ -61,7 +61,7 @@ QString GradientTool<Dim>::hint() const {
 template <int Dim>
 const std::string& GradientTool<Dim>::part() const {
     if (!m_handle) return m_part;
-    return session().document().template design<Dim>().material.regions[m_handle->region].part;
+    return session().document().design().material.regions[m_handle->region].part;
 }
 
 /// Finds the part that a new gradient begins on. Returns false if it must begin on one and does not.
@@ -94,14 +94,14 @@ std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() con
     std::vector<Handle> found;
     const auto frame = session().template frame<Dim>();
     if (!frame || session().document().dimension() != Dim) return found;
-    const auto& regions = session().document().template design<Dim>().material.regions;
+    const auto& regions = session().document().design().material.regions;
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        const auto* blend = std::get_if<Blend<Dim>>(&regions[i].shape);
+        const auto* blend = std::get_if<Blend<3>>(&regions[i].shape);
         if (!blend || isProtected(session().document().domain().parts, regions[i].part)) continue;
         for (const bool isTo : {false, true})
             found.push_back({i, isTo,
                              carriedTo<Dim>(frame->pose, frame->rest->points, *frame->rest, regions[i].part,
-                                            isTo ? blend->to : blend->from)});
+                                            (isTo ? blend->to : blend->from).template head<Dim>())});
     }
     return found;
 }
@@ -117,10 +117,10 @@ std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(co
 
 /// The design with the end where it was dragged to; nothing where both ends would be one place.
 template <int Dim>
-std::optional<Design<Dim>> GradientTool<Dim>::moved() const {
-    Design<Dim> next = session().document().template design<Dim>();
-    auto& blend = std::get<Blend<Dim>>(next.material.regions[m_handle->region].shape);
-    (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
+std::optional<Design> GradientTool<Dim>::moved() const {
+    Design next = session().document().design();
+    auto& blend = std::get<Blend<3>>(next.material.regions[m_handle->region].shape);
+    (m_handle->isTo ? blend.to : blend.from) = inSpace(m_to->rest);
     if (blend.from == blend.to) return {};
     return next;
 }
@@ -147,8 +147,7 @@ void GradientTool<Dim>::press(const QMouseEvent& event) {
     m_from = m_to = endAt(event.position());
     const QString kind =
         QCoreApplication::translate("GradientTool", "To %1").arg(brushKind(m_brush.now(), Dim));
-    m_layer =
-        freeName(namesOf(session().document().template design<Dim>().material.regions), kind.toStdString());
+    m_layer = freeName(namesOf(session().document().design().material.regions), kind.toStdString());
     if (!m_from) m_frame.reset();
 }
 
@@ -182,22 +181,23 @@ void GradientTool<Dim>::move(const QMouseEvent& event) {
 }
 
 template <int Dim>
-std::optional<MaterialRegion<Dim>> GradientTool<Dim>::region() const {
+std::optional<MaterialRegion> GradientTool<Dim>::region() const {
     const QPointF from = surface().toWidget(m_from->seen), to = surface().toWidget(m_to->seen);
     if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
-    const MaterialPaint<Dim> paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
-    MaterialRegion<Dim> region{{}, Blend<Dim>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
+    const MaterialPaint paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
+    MaterialRegion region{
+        {}, Blend<3>{inSpace(m_from->rest), inSpace(m_to->rest)}, 0, paint.phi, paint.stiffness};
     region.part = m_part;
     return region;
 }
 
 /// Returns the design with the moved end or the new gradient; nothing for a click.
 template <int Dim>
-std::optional<Design<Dim>> GradientTool<Dim>::next() const {
+std::optional<Design> GradientTool<Dim>::next() const {
     if (m_handle) return moved();
     const auto drawn = region();
     if (!drawn) return {};
-    return withStroke<Dim>(session().document().template design<Dim>(), m_layer, {*drawn});
+    return withStroke(session().document().design(), m_layer, {*drawn});
 }
 
 template <int Dim>
@@ -261,7 +261,7 @@ void GradientTool<Dim>::paint(QPainter& painter) const {
     };
     const auto ends = handles();
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-        const auto& region = session().document().template design<Dim>().material.regions[ends[i].region];
+        const auto& region = session().document().design().material.regions[ends[i].region];
         const QColor colour = region.phi ? energyColour(stopOfPhi(*region.phi, Dim)) : kStiffColour;
         std::array<QPointF, 2> at = {surface().toWidget(ends[i].seen), surface().toWidget(ends[i + 1].seen)};
         if (m_frame && m_handle && m_handle->region == ends[i].region)

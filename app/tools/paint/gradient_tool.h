@@ -42,12 +42,12 @@ class GradientTool : public ShapeTool<Dim> {
     std::optional<Handle> handleAt(const QPointF& at) const;
     const std::string& part() const;
     bool findPart(const QPointF& at);
-    std::optional<Design<Dim>> moved() const;
+    std::optional<Design> moved() const;
     bool isCurrent() const;
     std::optional<End> endAt(const QPointF& at) const;
     QPointF otherEnd() const;
-    std::optional<MaterialRegion<Dim>> region() const;
-    std::optional<Design<Dim>> next() const;
+    std::optional<MaterialRegion> region() const;
+    std::optional<Design> next() const;
     bool preview(bool lasts);
 
     Brush& m_brush;

@@ -61,15 +61,15 @@ double seam(double open, double covered, const IsCovered& isCovered) {
 /// The last region of a layer that contains a place decides whether it is painted or erased. Lines of the
 /// cover follow erasers inside their borders and paint inside its borders.
 struct Cover {
-    const std::vector<MaterialRegion<2>>& layer;
+    const std::vector<MaterialRegion>& layer;
     double feathers;  // so many of a soft edge beyond the borders
 
     bool lies(const Vec<2>& p, std::size_t i) const {
         const double beyond = layer[i].erases() ? -feathers : feathers;
-        return signedDistance<2>(layer[i].shape, p) < beyond * layer[i].feather - 1e-9 * radius(i);
+        return signedDistance<2>(inPlane(layer[i].shape), p) < beyond * layer[i].feather - 1e-9 * radius(i);
     }
     double radius(std::size_t i) const {
-        const auto* ball = std::get_if<Ball<2>>(&layer[i].shape);
+        const auto* ball = std::get_if<Ball<3>>(&layer[i].shape);
         return ball ? ball->radius + (layer[i].erases() ? -feathers : feathers) * layer[i].feather : 0;
     }
     /// Ignores the region whose border this is.
@@ -84,11 +84,11 @@ struct Cover {
 
 /// The ring's pieces that are a border of the whole.
 void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
-    const auto* ball = std::get_if<Ball<2>>(&cover.layer[own].shape);
+    const auto* ball = std::get_if<Ball<3>>(&cover.layer[own].shape);
     const double radius = cover.radius(own);
     if (!ball || radius <= 0) return;
     const auto at = [&](double a) {
-        return Vec<2>(ball->centre + radius * Vec<2>(std::cos(a), std::sin(a)));
+        return Vec<2>(inPlane(ball->centre) + radius * Vec<2>(std::cos(a), std::sin(a)));
     };
     const auto isCovered = [&](double a) { return cover.hides(at(a), own); };
     constexpr double kPiece = 2 * std::numbers::pi / kEdgePieces;
@@ -107,7 +107,7 @@ void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
     if (piece.size() > 1) lines.push_back(piece);
 }
 
-void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion<2>>& layer, double feathers) {
+void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion>& layer, double feathers) {
     for (std::size_t i = 0; i < layer.size(); ++i) addRing(lines, Cover{layer, feathers}, i);
 }
 
@@ -154,7 +154,7 @@ void draw(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 
 }  // namespace
 
-RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialMesh<2>& rest) {
+RestLines linesOf(const std::vector<MaterialRegion>& layer, const SimplicialMesh<2>& rest) {
     RestLines lines;
     addBalls(lines.border, layer, 0);
     const bool soft =
@@ -162,7 +162,7 @@ RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialM
     if (soft) addBalls(lines.soft, layer, 0.5);
     if (soft) addBalls(lines.soft, layer, -0.5);
     for (const auto& region : layer)
-        if (!region.erases()) std::visit(Adder{lines, rest, region.feather}, region.shape);
+        if (!region.erases()) std::visit(Adder{lines, rest, region.feather}, inPlane(region.shape));
     return lines;
 }
 
@@ -187,14 +187,14 @@ std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, c
 }
 
 template <int Dim>
-std::vector<MaterialRegion<Dim>> LayerLines<Dim>::layerOf(const Design<Dim>& design) const {
-    std::vector<MaterialRegion<Dim>> layer;
+std::vector<MaterialRegion> LayerLines<Dim>::layerOf(const Design& design) const {
+    std::vector<MaterialRegion> layer;
     for (const auto& region : design.material.regions)
         if (region.name == m_name.toStdString()) layer.push_back(region);
     return layer;
 }
 
-void RegionLines::setRegions(std::vector<MaterialRegion<2>> regions) {
+void RegionLines::setRegions(std::vector<MaterialRegion> regions) {
     m_regions = std::move(regions);
     m_rest.reset();
 }
@@ -223,7 +223,7 @@ void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
     const Document& document = surface.session().document();
     const auto& project = document.project();
     if (m_name.isNull() || !project) return;
-    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(document.design<2>()));
+    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(document.design()));
     m_project = project, m_drawn = m_name;
     m_lines.paint(painter, surface);
 }
@@ -233,7 +233,7 @@ void LayerLines<3>::paint(QPainter& painter, SolidSurface& surface) {
     const Document& document = surface.session().document();
     if (m_name.isNull() || !surface.shownFrame() || document.isEmpty()) return;
     std::vector<Region<3>> regions;
-    for (const auto& region : layerOf(document.design<3>()))
+    for (const auto& region : layerOf(document.design()))
         if (!region.erases()) regions.push_back(region.shape);
     paintRegions(painter, surface, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
 }

@@ -14,7 +14,7 @@ namespace wend {
 struct RestLines {
     std::vector<std::vector<Vec<2>>> border, soft;
 };
-RestLines linesOf(const std::vector<MaterialRegion<2>>& layer, const SimplicialMesh<2>& rest);
+RestLines linesOf(const std::vector<MaterialRegion>& layer, const SimplicialMesh<2>& rest);
 
 /// Maps a line from the rest shape to a pose; in pieces where it leaves the shape.
 std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
@@ -23,11 +23,11 @@ std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, co
 /// Draws regions of a picture where they are now.
 class RegionLines {
   public:
-    void setRegions(std::vector<MaterialRegion<2>> regions);
+    void setRegions(std::vector<MaterialRegion> regions);
     void paint(QPainter& painter, ToolSurface& surface);
 
   private:
-    std::vector<MaterialRegion<2>> m_regions;
+    std::vector<MaterialRegion> m_regions;
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     RestLines m_lines;  // of these on that mesh
 };
@@ -40,7 +40,7 @@ class LayerLines {
     void paint(QPainter& painter, SurfaceOf<Dim>& surface);
 
   private:
-    std::vector<MaterialRegion<Dim>> layerOf(const Design<Dim>& design) const;
+    std::vector<MaterialRegion> layerOf(const Design& design) const;
 
     QString m_name;  // null: none
     std::shared_ptr<const Project> m_project;

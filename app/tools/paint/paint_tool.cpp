@@ -90,11 +90,11 @@ void PaintTool<Dim>::press(const QMouseEvent& event) {
 
 template <int Dim>
 void PaintTool<Dim>::begin() {
-    const auto& design = session().document().template design<Dim>();
+    const auto& design = session().document().design();
     m_frame = surface().shownFrame();
     m_layer = layer();
     m_regions.clear();
-    m_first = deed() == Deed::Erase ? 0 : layerBegin<Dim>(design, m_layer);
+    m_first = deed() == Deed::Erase ? 0 : layerBegin(design, m_layer);
     m_below.reset();
 }
 
@@ -115,7 +115,7 @@ Vec<Dim> PaintTool<Dim>::wayAt(const Vec<Dim>& p) const {
     if (selected < 0) return Vec<Dim>::Zero();
     const auto starts = session().template pathStarts<Dim>(selected);
     if (starts.empty()) return Vec<Dim>::Zero();
-    const auto& handle = session().document().template design<Dim>().handles[selected];
+    const auto& handle = session().document().design().handles[selected];
     const auto way = pinPaths<Dim>(handle, {meanOf<Dim>(starts)}).front().points;
     Vec<Dim> along = Vec<Dim>::Zero();
     double nearest = std::numeric_limits<double>::infinity();
@@ -175,10 +175,10 @@ double PaintTool<Dim>::phiFor(const Dab& dab) const {
 }
 
 template <int Dim>
-Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const {
+Stiffness PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const {
     const BrushSettings& now = brush().now();
     const Mat<Dim> B = thereAt(dabs[i]);
-    const Stiffness<Dim> there = stiffnessOf<Dim>(B);
+    const Stiffness there = stiffnessOf<Dim>(B);
     const bool isStiff = there.ratio > kStiffFrom;
     const double amount = amountOf(dabs[i]);
     Mat<Dim> aim = Mat<Dim>::Identity();
@@ -189,9 +189,9 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
             aim += anisotropyAt(*m_frame->material, c) / static_cast<double>(cells.size());
     }
     if (deed() == Deed::Paint) {
-        Stiffness<Dim> own{directionOf(dabs, i), now.ratio};
-        if (own.axis.isZero()) own.axis = now.axis.template head<Dim>();
-        if (own.axis.isZero()) own.axis = Vec<Dim>::UnitX();
+        Stiffness own{inSpace(directionOf(dabs, i)), now.ratio};
+        if (own.axis.isZero()) own.axis = inSpace(Vec<Dim>(now.axis.template head<Dim>()));
+        if (own.axis.isZero()) own.axis = Vec3::UnitX();
         if (now.target == BrushTarget::Direction) own.ratio = std::max(own.ratio, there.ratio);
         if (now.target == BrushTarget::Stiffness && now.along == StiffAlong::AsItIs && isStiff)
             own.axis = there.axis;
@@ -203,8 +203,8 @@ Stiffness<Dim> PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::s
 }
 
 template <int Dim>
-MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
-    MaterialRegion<Dim> region{{}, this->ballOf(dabs[i]), this->featherOf(dabs[i]), {}, {}};
+MaterialRegion PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
+    MaterialRegion region{{}, inSpace(Region<Dim>(this->ballOf(dabs[i]))), this->featherOf(dabs[i]), {}, {}};
     region.part = this->partOf(dabs[i]);
     if (brush().now().target == BrushTarget::Keep)
         region.phi = phiFor(dabs[i]);
@@ -215,28 +215,28 @@ MaterialRegion<Dim> PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::
 
 /// A ball's direction is known once the next one exists, so the last one is recomputed each time.
 template <int Dim>
-Design<Dim> PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
-    const auto& design = session().document().template design<Dim>();
+Design PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
+    const auto& design = session().document().design();
     if (deed() == Deed::Erase) {
-        std::vector<Eraser<Dim>> erasers;
+        std::vector<Eraser> erasers;
         for (const Dab& dab : dabs)
-            erasers.push_back(
-                {this->ballOf(dab), this->featherOf(dab), amountOf(dab), dab.place.cell, this->partOf(dab)});
+            erasers.push_back({inSpace(Region<Dim>(this->ballOf(dab))), this->featherOf(dab), amountOf(dab),
+                               dab.place.cell, this->partOf(dab)});
         return withErased<Dim>(design, erasers, *m_frame->rest, folder());
     }
     while (m_regions.size() + 1 < dabs.size()) m_regions.push_back(regionOf(dabs, m_regions.size()));
     auto regions = m_regions;
     regions.push_back(regionOf(dabs, m_regions.size()));
-    return withStroke<Dim>(design, m_layer, std::move(regions));
+    return withStroke(design, m_layer, std::move(regions));
 }
 
 /// Recomputes only the cells that the stroke may change. Returns null and emits a notice if a picture of the
 /// material is missing.
 template <int Dim>
-std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design<Dim>& next) try {
+std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design& next) try {
     const SimplicialMesh<Dim>& rest = *m_frame->rest;
     if (!m_below) {
-        MaterialSpec<Dim> below = session().document().template design<Dim>().material;
+        MaterialSpec below = session().document().design().material;
         below.regions.resize(m_first);
         m_below = rasterizeMaterial<Dim>(below, rest, folder());
     }
@@ -262,8 +262,8 @@ template <int Dim>
 std::string PaintTool<Dim>::layer() const {
     const QString kind = deed() == Deed::Smooth ? QCoreApplication::translate("PaintTool", "Smoothed")
                                                 : brushKind(brush().now(), Dim);
-    return layerFor<Dim>(session().document().template design<Dim>(), brush().now(), brush().layer().now(),
-                         aim(), kind.toStdString());
+    return layerFor<Dim>(session().document().design(), brush().now(), brush().layer().now(), aim(),
+                         kind.toStdString());
 }
 
 /// Names the step, with its place if that has a name: "Paint Rigid on Neck".
@@ -292,7 +292,7 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
 template <int Dim>
 void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     const bool erases = deed() == Deed::Erase, paints = deed() == Deed::Paint;
-    Design<Dim> next = painted(dabs);
+    Design next = painted(dabs);
     if (erases) next = withoutErasedLayers<Dim>(next, *m_frame->rest, folder());
     const auto material = laid(next);
     const bool same = material && isSame(*material, *m_frame->material);

@@ -40,9 +40,9 @@ class PaintTool : public StrokeTool<Dim> {
   private:
     Deed deed() const;
     Vec<Dim> wayAt(const Vec<Dim>& p) const;
-    MaterialRegion<Dim> regionOf(const std::vector<Dab>& dabs, std::size_t i) const;
+    MaterialRegion regionOf(const std::vector<Dab>& dabs, std::size_t i) const;
     double phiFor(const Dab& dab) const;
-    Stiffness<Dim> stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const;
+    Stiffness stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const;
     Vec<Dim> directionOf(const std::vector<Dab>& dabs, std::size_t i) const;
     double amountOf(const Dab& dab) const;
     Mat<Dim> thereAt(const Dab& dab) const;
@@ -50,14 +50,14 @@ class PaintTool : public StrokeTool<Dim> {
     std::string layer() const;
     QString title(const std::vector<Dab>& dabs) const;
     std::string aim() const;
-    Design<Dim> painted(const std::vector<Dab>& dabs);
-    std::shared_ptr<const Material<Dim>> laid(const Design<Dim>& next);
+    Design painted(const std::vector<Dab>& dabs);
+    std::shared_ptr<const Material<Dim>> laid(const Design& next);
     std::string folder() const { return session().document().folder().toStdString(); }
 
     Deed m_deed;
     PosedPtr<Dim> m_frame;                              // when the stroke began, with its material
     std::string m_layer;                                // of the stroke
-    std::vector<MaterialRegion<Dim>> m_regions;         // as much of the stroke as is settled
+    std::vector<MaterialRegion> m_regions;              // as much of the stroke as is settled
     std::size_t m_first = 0;                            // the first region that it may change …
     std::shared_ptr<const Material<Dim>> m_below = {};  // … and below
 };

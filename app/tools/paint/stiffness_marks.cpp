@@ -36,9 +36,9 @@ void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& s
             const auto touch = surface.touch(QPointF(x, y));
             if (!touch) continue;
             const int cell = touch->place.cell;
-            const Stiffness<2> stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
+            const Stiffness stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
             if (stiffness.ratio < kLeastStiffness) continue;
-            const Vec<2> along = cellRotation<2>(*frame, cell) * stiffness.axis;
+            const Vec<2> along = cellRotation<2>(*frame, cell) * inPlane(stiffness.axis);
             // The view may show the domain mirrored.
             const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);
             const double a = markLength(stiffness.ratio),

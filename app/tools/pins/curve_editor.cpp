@@ -37,9 +37,9 @@ int CurveEditor<Dim>::handle() const {
 }
 
 template <int Dim>
-std::optional<CurveMotion<Dim>> CurveEditor<Dim>::curve() const {
+std::optional<CurveMotion<3>> CurveEditor<Dim>::curve() const {
     if (handle() < 0 || !m_session.template frame<Dim>()) return {};
-    const CurveMotion<Dim>* last = lastCurve(m_session.document().template design<Dim>(), handle());
+    const CurveMotion<3>* last = lastCurve(m_session.document().design(), handle());
     return last ? std::optional(*last) : std::nullopt;
 }
 
@@ -66,20 +66,20 @@ int CurveEditor<Dim>::chosen() const {
 
 /// Returns the offset from the stored curve to the handle's actual place at its start.
 template <int Dim>
-Vec<Dim> CurveEditor<Dim>::shift() const {
-    Handle<Dim> before = m_session.document().template design<Dim>().handles[handle()];
-    const auto curve = std::get<CurveMotion<Dim>>(before.motions.back().kind);
+Vec3 CurveEditor<Dim>::shift() const {
+    Pin before = m_session.document().design().handles[handle()];
+    const auto curve = std::get<CurveMotion<3>>(before.motions.back().kind);
     before.motions.pop_back();
-    const auto starts = m_session.template pathStarts<Dim>(handle());
-    if (starts.empty()) return Vec<Dim>::Zero();
-    return pinPaths<Dim>(before, {meanOf<Dim>(starts)}).front().points.back() - curve.points.front();
+    const auto starts = m_session.pathStarts(handle());
+    if (starts.empty()) return Vec3::Zero();
+    return pinPaths<3>(before, {meanOf<3>(starts)}).front().points.back() - curve.points.front();
 }
 
 template <int Dim>
-std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) const {
+std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<3>& curve) const {
     if (curve.interpolation != Interpolation::Bezier) return {};
     forgetOthers();
-    auto kinds = jointKinds<Dim>(curve.points);
+    auto kinds = jointKinds(curve.points);
     for (const int joint : m_free)
         if (joint < static_cast<int>(kinds.size())) kinds[joint] = JointKind::Free;
     if (m_freely && isDragging()) kinds[jointOf(m_dragged)] = JointKind::Free;
@@ -88,22 +88,22 @@ std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<Dim>& curve) co
 
 /// Returns the control points, including the dragged one.
 template <int Dim>
-std::vector<Vec<Dim>> CurveEditor<Dim>::moved(const CurveMotion<Dim>& curve) const {
-    std::vector<Vec<Dim>> points = curve.points;
+std::vector<Vec3> CurveEditor<Dim>::moved(const CurveMotion<3>& curve) const {
+    std::vector<Vec3> points = curve.points;
     if (!isDragging() || m_dragged >= static_cast<int>(points.size())) return points;
     if (curve.interpolation == Interpolation::Bezier)
-        return withMovedPoint<Dim>(std::move(points), kinds(curve), m_dragged, m_by);
+        return withMovedPoint(std::move(points), kinds(curve), m_dragged, m_by);
     points[m_dragged] += m_by;
     return points;
 }
 
 template <int Dim>
-std::vector<Vec<Dim>> CurveEditor<Dim>::points() const {
+std::vector<Vec3> CurveEditor<Dim>::points() const {
     const auto own = curve();
     if (!own) return {};
-    std::vector<Vec<Dim>> points = moved(*own);
-    const Vec<Dim> by = shift();
-    for (Vec<Dim>& p : points) p += by;
+    std::vector<Vec3> points = moved(*own);
+    const Vec3 by = shift();
+    for (Vec3& p : points) p += by;
     return points;
 }
 
@@ -113,7 +113,7 @@ int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
     int best = -1;
     double nearest = marked(kCurvePointReach);
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
-        const double d = QLineF(m_surface.toWidget(all[i]), widget).length();
+        const double d = QLineF(m_surface.onScreen(all[i]), widget).length();
         if (d < nearest) nearest = d, best = i;
     }
     return best;
@@ -124,12 +124,12 @@ typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget
     Place best{-1, 0, marked(kLineReach)};
     const auto own = curve();
     if (!own) return best;
-    const Vec<Dim> by = shift();
-    const auto pieces = curveOf<Dim>(*own).pieces;
+    const Vec3 by = shift();
+    const auto pieces = curveOf(*own).pieces;
     for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
-        QPointF before = m_surface.toWidget(pieces[k].value(0) + by);
+        QPointF before = m_surface.onScreen(pieces[k].value(0) + by);
         for (int i = 1; i <= kSearchSamples; ++i) {
-            const QPointF after = m_surface.toWidget(pieces[k].value(double(i) / kSearchSamples) + by);
+            const QPointF after = m_surface.onScreen(pieces[k].value(double(i) / kSearchSamples) + by);
             const QPointF along = after - before;
             const double size = QPointF::dotProduct(along, along);
             const double t =
@@ -166,14 +166,14 @@ void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
     const auto own = curve();
     if (!own || !isDragging() || m_dragged >= static_cast<int>(own->points.size())) return;
     m_freely = freely;
-    const Vec<Dim> p = own->points[m_dragged] + shift();
+    const Vec3 p = own->points[m_dragged] + shift();
     m_by = acrossTheScreen(m_surface, p, widget) - acrossTheScreen(m_surface, p, m_from);
     m_surface.redraw();
 }
 
 template <int Dim>
-void CurveEditor<Dim>::change(const QString& name, CurveMotion<Dim> next) {
-    Design<Dim> design = m_session.document().template design<Dim>();
+void CurveEditor<Dim>::change(const QString& name, CurveMotion<3> next) {
+    Design design = m_session.document().design();
     *lastCurve(design, handle()) = std::move(next);
     m_session.document().changeDesign(name, std::move(design));
     m_surface.redraw();
@@ -201,10 +201,10 @@ void CurveEditor<Dim>::cancel() {
 template <int Dim>
 void CurveEditor<Dim>::insertOn(const Place& place) {
     const auto own = curve();
-    if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf<Dim>(*own).pieces.size())) return;
+    if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf(*own).pieces.size())) return;
     const bool bezier = own->interpolation == Interpolation::Bezier;
     change(QCoreApplication::translate("CurveEditor", "Insert curve point"),
-           withPointOn<Dim>(*own, place.piece, place.v));
+           withPointOn(*own, place.piece, place.v));
     forgetOthers();
     m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
     m_surface.redraw();
@@ -237,28 +237,28 @@ std::optional<JointKind> CurveEditor<Dim>::chosenKind() const {
     const auto own = curve();
     if (!own || own->interpolation != Interpolation::Bezier || chosen() < 0) return {};
     const int joint = jointOf(chosen());
-    if (!isInnerJoint<Dim>(own->points, joint)) return {};
+    if (!isInnerJoint(own->points, joint)) return {};
     return kinds(*own)[joint];
 }
 
 template <int Dim>
 bool CurveEditor<Dim>::canRemove() const {
     const auto own = curve();
-    return own && chosen() > 0 && withoutPoint<Dim>(*own, chosen());
+    return own && chosen() > 0 && withoutPoint(*own, chosen());
 }
 
 template <int Dim>
 void CurveEditor<Dim>::insertPoint() {
     const auto own = curve();
     if (!own) return;
-    const Place behind{pieceBehind<Dim>(*own, chosen()), 0.5, 0};
+    const Place behind{pieceBehind(*own, chosen()), 0.5, 0};
     insertOn(std::exchange(m_place, std::nullopt).value_or(behind));
 }
 
 template <int Dim>
 void CurveEditor<Dim>::removePoint() {
     const auto own = curve();
-    const auto next = own && chosen() > 0 ? withoutPoint<Dim>(*own, chosen()) : std::nullopt;
+    const auto next = own && chosen() > 0 ? withoutPoint(*own, chosen()) : std::nullopt;
     if (next)
         change(QCoreApplication::translate("CurveEditor", "Delete curve point"), *next);
     else if (own && chosen() > 0)
@@ -276,7 +276,7 @@ void CurveEditor<Dim>::setKind(JointKind kind) {
         m_surface.redraw();
         return;
     }
-    auto points = withJointKind<Dim>(own->points, joint, kind);
+    auto points = withJointKind(own->points, joint, kind);
     if (points == own->points) return;
     own->points = std::move(points);
     change(QCoreApplication::translate("CurveEditor", "Change curve"), *own);
@@ -287,11 +287,11 @@ template <int Dim>
 void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
     auto own = curve();
     own->points = moved(*own);
-    const Vec<Dim> by = shift();
+    const Vec3 by = shift();
     QPolygonF line;
-    for (const auto& piece : curveOf<Dim>(*own).pieces)
+    for (const auto& piece : curveOf(*own).pieces)
         for (int i = 0; i <= kSearchSamples; ++i)
-            line << m_surface.toWidget(piece.value(double(i) / kSearchSamples) + by);
+            line << m_surface.onScreen(piece.value(double(i) / kSearchSamples) + by);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kCurveColour, marked(1.75)));
     painter.drawPolyline(line);
@@ -303,7 +303,7 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
     if (all.empty()) return;
     if (isDragging()) paintMoved(painter);
     QPolygonF screen;
-    for (const Vec<Dim>& p : all) screen << m_surface.toWidget(p);
+    for (const Vec3& p : all) screen << m_surface.onScreen(p);
     const bool bezier = curve()->interpolation == Interpolation::Bezier;
     painter.setPen(QPen(kCurveColour, marked(1.25)));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions

@@ -55,14 +55,14 @@ class CurveEditor : public CurveEditing {
         double distance = 0;
     };
     int handle() const;
-    std::optional<CurveMotion<Dim>> curve() const;
+    std::optional<CurveMotion<3>> curve() const;
     /// Returns the points as drawn; empty without a curve.
-    std::vector<Vec<Dim>> points() const;
-    Vec<Dim> shift() const;
+    std::vector<Vec3> points() const;
+    Vec3 shift() const;
     Place placeAt(const QPointF& widget) const;
-    std::vector<JointKind> kinds(const CurveMotion<Dim>& curve) const;
-    std::vector<Vec<Dim>> moved(const CurveMotion<Dim>& curve) const;
-    void change(const QString& name, CurveMotion<Dim> next);
+    std::vector<JointKind> kinds(const CurveMotion<3>& curve) const;
+    std::vector<Vec3> moved(const CurveMotion<3>& curve) const;
+    void change(const QString& name, CurveMotion<3> next);
     void insertOn(const Place& place);
     void paintMoved(QPainter& painter) const;
 
@@ -71,13 +71,13 @@ class CurveEditor : public CurveEditing {
     int m_dragged = -1;
     bool m_freely = false;
     QPointF m_from;
-    Vec<Dim> m_by = Vec<Dim>::Zero();
+    Vec3 m_by = Vec3::Zero();
     // the project whose point is dragged; any change ends the drag
     std::shared_ptr<const Project> m_draggedOf;
     // Identifies a chosen point: valid while the curve keeps its number of points and its start
     struct Chosen {
         int handle = -1, count = 0;
-        Vec<Dim> start = Vec<Dim>::Zero();
+        Vec3 start = Vec3::Zero();
         bool operator==(const Chosen&) const = default;
     };
     Chosen identity() const;

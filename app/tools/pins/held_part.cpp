@@ -126,8 +126,7 @@ std::optional<QPainterPath> selectedPart(ToolSurface& surface) {
     for (const PinView<2>& view : session.pins()) {
         if (view.handle != session.singleHandle() || !view.region) continue;
         QPolygonF border;
-        for (const Vec<2>& p :
-             regionBorder(session.document().design<2>().handles[view.handle], view, *frame))
+        for (const Vec<2>& p : regionBorder(session.document().design().handles[view.handle], view, *frame))
             border << surface.toWidget(p);
         return snapped(insideOf(border));
     }

@@ -62,12 +62,12 @@ int PenTool<Dim>::pinAt(const QPointF& widget) const {
 
 /// In space, projects on the plane through the last point that faces the viewer.
 template <int Dim>
-Vec<Dim> PenTool<Dim>::placeAt(const QPointF& widget) const {
+Vec3 PenTool<Dim>::placeAt(const QPointF& widget) const {
     return acrossTheScreen(surface(), m_joints.back().at, widget);
 }
 
 template <int Dim>
-Vec<Dim> PenTool<Dim>::nextPlace() const {
+Vec3 PenTool<Dim>::nextPlace() const {
     return placeAt(m_steps ? last() + inSteps(m_at - last()) : m_at);
 }
 
@@ -95,12 +95,12 @@ bool PenTool<Dim>::begin(const QPointF& at) {
 template <int Dim>
 bool PenTool<Dim>::beginAt(const std::vector<int>& handles) {
     session().playback().setPlaying(false);
-    std::vector<Vec<Dim>> centres;
+    std::vector<Vec3> centres;
     for (const PinView<Dim>& pin : session().template pins<Dim>(true))
-        if (std::count(handles.begin(), handles.end(), pin.handle)) centres.push_back(pin.centre);
+        if (std::count(handles.begin(), handles.end(), pin.handle)) centres.push_back(inSpace(pin.centre));
     const bool may = std::ranges::all_of(handles, [this](int h) { return session().mayChange(h); });
     if (centres.empty() || !may) return false;
-    m_joints = {{meanOf<Dim>(centres)}};
+    m_joints = {{meanOf<3>(centres)}};
     m_of = session().document().project();
     m_time = session().playback().time();
     return true;
@@ -117,7 +117,7 @@ void PenTool<Dim>::takePointer(const QMouseEvent& event) {
 template <int Dim>
 void PenTool<Dim>::pullDirections(bool oneOnly) {
     const QPointF way = m_at - m_from;
-    DrawnJoint<Dim>& joint = m_joints.back();
+    DrawnJoint& joint = m_joints.back();
     joint.out = placeAt(last() + (m_steps ? inSteps(way) : way)) - joint.at;
     if (!oneOnly) joint.in = -joint.out;
 }
@@ -156,7 +156,7 @@ template <int Dim>
 void PenTool<Dim>::finish() {
     const auto joints = std::exchange(m_joints, {});
     m_pressed = false;
-    if (joints.size() > 1) session().template followCurve<Dim>(bezierThrough<Dim>(joints));
+    if (joints.size() > 1) session().followCurve(bezierThrough(joints));
 }
 
 template <int Dim>
@@ -202,9 +202,9 @@ void PenTool<Dim>::paint(QPainter& painter) const {
     if (!m_pressed && m_over && !isOnLast(m_at)) joints.push_back({nextPlace()});
     QPolygonF line;
     if (joints.size() > 1)
-        for (const auto& piece : bezierCurve<Dim>(bezierThrough<Dim>(joints)).pieces)
+        for (const auto& piece : bezierCurve<3>(bezierThrough(joints)).pieces)
             for (int i = 0; i <= kPaintedSamples; ++i)
-                line << surface().toWidget(piece.value(double(i) / kPaintedSamples));
+                line << surface().onScreen(piece.value(double(i) / kPaintedSamples));
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen :
          {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kPathColour, marked(1.75))}) {
@@ -217,17 +217,17 @@ void PenTool<Dim>::paint(QPainter& painter) const {
 /// Squares, and the directions of the last one.
 template <int Dim>
 void PenTool<Dim>::paintJoints(QPainter& painter) const {
-    const DrawnJoint<Dim>& last = m_joints.back();
+    const DrawnJoint& last = m_joints.back();
     painter.setPen(QPen(kPathColour, marked(1.25)));
     painter.setBrush(kPathColour);
-    for (const Vec<Dim>& way : {last.in, last.out}) {
+    for (const Vec3& way : {last.in, last.out}) {
         if (way.isZero()) continue;
-        const QPointF end = surface().toWidget(last.at + way);
-        painter.drawLine(surface().toWidget(last.at), end);
+        const QPointF end = surface().onScreen(last.at + way);
+        painter.drawLine(surface().onScreen(last.at), end);
         painter.drawEllipse(end, marked(4), marked(4));
     }
     for (const auto& joint : m_joints) {
-        const QPointF at = surface().toWidget(joint.at);
+        const QPointF at = surface().onScreen(joint.at);
         const bool isLast = &joint == &last;
         painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), marked(isLast ? 2.25 : 1.25)));
         painter.setBrush(isLast ? QColor(Qt::white) : kPathColour);

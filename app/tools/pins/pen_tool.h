@@ -35,9 +35,9 @@ class PenTool : public ShapeTool<Dim> {
     int pinAt(const QPointF& widget) const;
     bool begin(const QPointF& at);
     bool beginAt(const std::vector<int>& handles);
-    Vec<Dim> placeAt(const QPointF& widget) const;
-    Vec<Dim> nextPlace() const;
-    QPointF last() const { return surface().toWidget(m_joints.back().at); }
+    Vec3 placeAt(const QPointF& widget) const;
+    Vec3 nextPlace() const;
+    QPointF last() const { return surface().onScreen(m_joints.back().at); }
     void takePointer(const QMouseEvent& event);
     void pullDirections(bool oneOnly);
     bool isOnLast(const QPointF& widget) const;
@@ -45,10 +45,10 @@ class PenTool : public ShapeTool<Dim> {
     void removeLast();
     void paintJoints(QPainter& painter) const;
 
-    std::vector<DrawnJoint<Dim>> m_joints;  // the first one is where the pins are
-    std::shared_ptr<const Project> m_of;    // the project of these pins …
-    double m_time = 0;                      // … at that time
-    bool m_pressed = false;                 // the last joint's direction follows the pointer
+    std::vector<DrawnJoint> m_joints;     // the first one is where the pins are
+    std::shared_ptr<const Project> m_of;  // the project of these pins …
+    double m_time = 0;                    // … at that time
+    bool m_pressed = false;               // the last joint's direction follows the pointer
     bool m_over = false;
     bool m_steps = false;  // constrains to 45°
     QPointF m_from, m_at;

@@ -74,7 +74,7 @@ int regionUnder(ToolSurface& surface, const QPointF& widget) {
     PinPick pick;
     for (const PinView<2>& view : session.pins()) {
         if (!view.region) continue;
-        const Handle<2>& handle = session.document().design<2>().handles[view.handle];
+        const Pin& handle = session.document().design().handles[view.handle];
         const bool isBehind =  // another part, which is to be pinned itself
             seen && !handle.part.empty() && partNameOf<2>(*frame->rest, seen->place.cell) != handle.part;
         if (isBehind) continue;
@@ -82,10 +82,10 @@ int regionUnder(ToolSurface& surface, const QPointF& widget) {
         for (const Vec<2>& p : regionBorder(handle, view, *frame)) border << surface.toWidget(p);
         if (!border.containsPoint(widget, Qt::OddEvenFill)) continue;
         const QRectF box = border.boundingRect();
-        const auto* region = std::get_if<Region<2>>(&handle.at);
-        const bool covered =
-            seen && region &&
-            signedDistance<2>(*region, positionOf<2>(seen->place, *frame->rest, frame->rest->points)) > 0;
+        const auto* region = std::get_if<Region<3>>(&handle.at);
+        const bool covered = seen && region &&
+                             signedDistance<2>(inPlane(*region), positionOf<2>(seen->place, *frame->rest,
+                                                                               frame->rest->points)) > 0;
         pick.offer(view.handle, box.width() * box.height(), covered);
     }
     return pick.handle();
@@ -111,7 +111,7 @@ int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget) {
     ShapeSession& session = surface.session();
     int best = -1;
     double nearest = marked(kWayReach);
-    const auto& handles = session.document().template design<Dim>().handles;
+    const auto& handles = session.document().design().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
         if (handles[h].motions.empty() || handles[h].activeTo <= session.playback().time() ||
             handles[h].traits.hidden)

@@ -75,7 +75,7 @@ Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool sna
     if (m_part.kind == Grip::Kind::Move) {
         m_way = surface.toShape(widget) - m_startPoint;
         if (isAlongAxis()) m_way = Vec<2>(m_way[m_part.axis] * Vec<2>::Unit(m_part.axis));
-        return amountOf<2>(m_way);
+        return inSpace(m_way);
     }
     if (m_part.kind == Grip::Kind::Grow) {
         const double radius = QLineF(surface.toWidget(m_centre), widget).length();
@@ -91,7 +91,7 @@ Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool sna
 
 Amount PinRing::typed(double number, const ToolSurface&) const {
     if (m_part.kind != Grip::Kind::Move) return turnedOrScaled(number);
-    return amountOf<2>(number * (isAlongAxis() ? Vec<2>(Vec<2>::Unit(m_part.axis)) : m_way.normalized()));
+    return inSpace(Vec<2>(number * (isAlongAxis() ? Vec<2>(Vec<2>::Unit(m_part.axis)) : m_way.normalized())));
 }
 
 void PinRing::paintDragged(QPainter& painter, const ToolSurface& surface, const Amount&) const {

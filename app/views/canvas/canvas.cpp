@@ -356,11 +356,11 @@ void ShapeCanvas::takeView(const ShapeCanvas& other) {
     if (std::exchange(m_view, other.m_view) != other.m_view) render();
 }
 
-void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion<2>>& regions) {
+void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion>& regions) {
     m_detailRegions.setRegions(regions), update();
 }
 
-void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion<2>>& regions) {
+void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion>& regions) {
     m_depthRegions.setRegions(regions), update();
 }
 

@@ -61,8 +61,8 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
 
   public slots:
     /// Draws the border of other regions; none: of none.
-    void setDetailRegions(const std::vector<wend::MaterialRegion<2>>& regions);
-    void setDepthRegions(const std::vector<wend::MaterialRegion<2>>& regions);
+    void setDetailRegions(const std::vector<wend::MaterialRegion>& regions);
+    void setDepthRegions(const std::vector<wend::MaterialRegion>& regions);
     /// Fits the view to the shape, and again whenever the window's size changes, until the user moves the
     /// view.
     void fit() { fitTo(Fitted::Pose); }

@@ -49,11 +49,11 @@ QPolygonF ShapePainter<Dim>::toWidget(const std::vector<Vec<Dim>>& points) const
 
 /// Draws the moving frames of a curve from its actual start, without overlaps.
 template <int Dim>
-void ShapePainter<Dim>::frames(const Handle<Dim>& handle, const Vec<Dim>& start) {
+void ShapePainter<Dim>::frames(const Pin& handle, const Vec<Dim>& start) {
     Vec<Dim> from = start;
-    for (const Motion<Dim>& motion : handle.motions) {
-        const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
-        const Trajectory<Dim> trajectory(motion);
+    for (const PinMotion& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
+        const Trajectory<Dim> trajectory(motionIn<Dim>(motion));
         std::optional<QPointF> last;
         for (int i = 0; curve && curve->frame != FrameKind::None && i < kFramesAlongCurve; ++i) {
             const double t = motion.start + (motion.end - motion.start) * i / (kFramesAlongCurve - 1);
@@ -81,7 +81,7 @@ void ShapePainter<Dim>::paths(int hovered) {
     if (session().document().dimension() != Dim) return;
     m_marks.setQuick(session().isDragging());
     const double time = session().playback().time();
-    const auto& handles = session().document().template design<Dim>().handles;
+    const auto& handles = session().document().design().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session().selection().contains(h) != selected) continue;
@@ -124,7 +124,7 @@ void ShapePainter<2>::region(const PinView<2>& view, bool hovered) {
     if (!frame) return;
     const bool selected = session().selection().contains(view.handle);
     QPolygonF border =
-        toWidget(regionBorder(session().document().design<2>().handles[view.handle], view, *frame));
+        toWidget(regionBorder(session().document().design().handles[view.handle], view, *frame));
     if (border.isEmpty()) return;
     border << border.first();
     if (hovered) {
@@ -142,7 +142,7 @@ void ShapePainter<2>::region(const PinView<2>& view, bool hovered) {
 template <>
 void ShapePainter<3>::region(const PinView<3>& view, bool) {
     const auto frame = session().frame<3>();
-    const auto* region = std::get_if<Region<3>>(&session().document().design<3>().handles[view.handle].at);
+    const auto* region = std::get_if<Region<3>>(&session().document().design().handles[view.handle].at);
     if (!region || !frame || !session().selection().contains(view.handle)) return;
     const auto& rest = frame->rest->points;
     std::vector<Vec<3>> held;

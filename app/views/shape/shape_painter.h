@@ -41,7 +41,7 @@ class ShapePainter {
   private:
     ShapeSession& session() const { return m_surface.session(); }
     QPolygonF toWidget(const std::vector<Vec<Dim>>& points) const;
-    void frames(const Handle<Dim>& handle, const Vec<Dim>& start);
+    void frames(const Pin& handle, const Vec<Dim>& start);
     void frame(const Vec<Dim>& at, const Mat<Dim>& axes);
     void spots(const PinView<Dim>& view);
     void region(const PinView<Dim>& view, bool hovered);

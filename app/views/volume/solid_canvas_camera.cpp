@@ -10,8 +10,8 @@ namespace wend {
 namespace {
 
 /// Adds the directions of a selected curve, which may be far from it.
-void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
-    for (const Motion<3>& motion : handle.motions) {
+void addDirections(const Pin& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
+    for (const PinMotion& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
         const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
         if (!curve || curve->points.empty() || at == path.times.end()) continue;
@@ -24,7 +24,7 @@ void addDirections(const Handle<3>& handle, const PinPath<3>& path, std::vector<
 std::vector<Vec<3>> pathPoints(ShapeSession& session) {
     std::vector<Vec<3>> points;
     for (const PinView<3>& view : session.pins<3>()) points.push_back(view.centre);
-    const auto& handles = session.document().design<3>().handles;
+    const auto& handles = session.document().design().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
         const auto starts = session.pathStarts<3>(h);
         if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;

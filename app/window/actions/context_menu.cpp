@@ -19,7 +19,7 @@ void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
     }
     m_offers.curves.refresh();
     m_menu->clear();
-    if (place == MenuPlace::Pin)
+    if (place == MenuPlace::Handle)
         offerPin();
     else
         offerCanvas();

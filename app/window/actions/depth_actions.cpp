@@ -67,17 +67,16 @@ void DepthActions::bring(double order) {
     Document& document = m_session.document();
     const double most = option("depth[].order").range.max;
     order = std::clamp(order, -most, most);
-    document.changeDepth(
-        order > 0   ? tr("Bring to front")
-        : order < 0 ? tr("Send to back")
-                    : tr("Depth as drawn"),
-        withHandleDepth(document.depth(), document.design<2>(), m_session.selection().handles(), order,
-                        m_session.frame()->diagonal));
+    document.changeDepth(order > 0   ? tr("Bring to front")
+                         : order < 0 ? tr("Send to back")
+                                     : tr("Depth as drawn"),
+                         withHandleDepth(document.depth(), document.design(), m_session.selection().handles(),
+                                         order, m_session.frame()->diagonal));
 }
 
 void DepthActions::askNumber() {
     const Document& document = m_session.document();
-    const Handle<2>& first = document.design<2>().handles[m_session.selection().handles().front()];
+    const Pin& first = document.design().handles[m_session.selection().handles().front()];
     const double now = depthOfHandle(document.depth(), first.name).value_or(0);
     const Range range = option("depth[].order").range;
     bool given = false;

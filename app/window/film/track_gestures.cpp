@@ -79,7 +79,7 @@ MotionTime TrackView::dragged(const Grabbed& grabbed, double time) const {
     return fittedSpan(m_session.document().design(), grabbed.motions, wanted);
 }
 
-void TrackView::change(const QString& what, AnyDesign after) {
+void TrackView::change(const QString& what, Design after) {
     m_session.playback().setPlaying(false);
     m_session.document().changeDesign(what, std::move(after));
 }

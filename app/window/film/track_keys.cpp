@@ -127,14 +127,10 @@ void TrackView::moveKeys(double by, const QString& mergeKey) {
 }
 
 /// Changes keys, or says that there is nothing to change.
-void TrackView::changeKeys(const QString& what, AnyDesign after) {
+void TrackView::changeKeys(const QString& what, Design after) {
     bool changes = false;
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) {
-        const std::size_t motions = std::visit(
-            [row](const auto& design) {
-                return design.handles[static_cast<std::size_t>(row)].motions.size();
-            },
-            after);
+        const std::size_t motions = after.handles[static_cast<std::size_t>(row)].motions.size();
         changes = changes || motions != m_rows[static_cast<std::size_t>(row)].bars.size() ||
                   keyTimes(after, row) != keysIn(row);
     }
@@ -201,7 +197,7 @@ void TrackView::setProgress(const Progress& progress, const QString& mergeKey) {
 }
 
 void TrackView::holdChosen() {
-    const AnyDesign& design = m_session.document().design();
+    const Design& design = m_session.document().design();
     std::vector<KeyId> keys;
     for (const MotionId& id : easedMotions())
         keys.push_back({id.handle, wend::timeOf(design, id.handle, id.motion).start});

@@ -16,20 +16,18 @@ namespace wend {
 
 namespace {
 
-template <int Dim>
-QString kindOf(const Motion<Dim>& motion) {
-    if (std::holds_alternative<Rotate<Dim>>(motion.kind)) return TrackView::tr("Rotate");
-    const auto* curve = std::get_if<CurveMotion<Dim>>(&motion.kind);
-    if (!curve || straightProgress<Dim>(motion)) return TrackView::tr("Move");
+QString kindOf(const PinMotion& motion) {
+    if (std::holds_alternative<Rotate<3>>(motion.kind)) return TrackView::tr("Rotate");
+    const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
+    if (!curve || straightProgress(motion)) return TrackView::tr("Move");
     const bool stays = std::all_of(curve->points.begin(), curve->points.end(),
-                                   [&](const Vec<Dim>& p) { return p == curve->points.front(); });
+                                   [&](const Vec3& p) { return p == curve->points.front(); });
     return stays && curve->scale != 1 ? TrackView::tr("Scale") : TrackView::tr("Path");
 }
 
 /// Returns the easing of a motion; nothing if it has a curve of its own.
-template <int Dim>
-std::optional<Ease> easeOf(const Motion<Dim>& motion) {
-    const auto straight = straightProgress<Dim>(motion);
+std::optional<Ease> easeOf(const PinMotion& motion) {
+    const auto straight = straightProgress(motion);
     return straight ? easeOf(*straight) : motion.ease;
 }
 
@@ -71,24 +69,20 @@ void TrackView::takeProject() {
     m_band.reset();
     m_rows.clear();
     if (!m_session.document().isEmpty())
-        std::visit(
-            [this](const auto& design) {
-                for (const auto& handle : design.handles) {
-                    const int h = static_cast<int>(m_rows.size());
-                    Row row{QString::fromStdString(handle.name),
-                            pinColour(h, handle.traits),
-                            {{h, kHold}, {handle.activeFrom, handle.activeTo}},
-                            {}};
-                    for (const auto& motion : handle.motions)
-                        row.bars.push_back({{h, static_cast<int>(row.bars.size())},
-                                            {motion.start, motion.end},
-                                            slowSidesOf(motion),
-                                            kindOf(motion),
-                                            easeOf(motion)});
-                    m_rows.push_back(std::move(row));
-                }
-            },
-            m_session.document().design());
+        for (const Pin& handle : m_session.document().design().handles) {
+            const int h = static_cast<int>(m_rows.size());
+            Row row{QString::fromStdString(handle.name),
+                    pinColour(h, handle.traits),
+                    {{h, kHold}, {handle.activeFrom, handle.activeTo}},
+                    {}};
+            for (const PinMotion& motion : handle.motions)
+                row.bars.push_back({{h, static_cast<int>(row.bars.size())},
+                                    {motion.start, motion.end},
+                                    slowSidesOf(motion),
+                                    kindOf(motion),
+                                    easeOf(motion)});
+            m_rows.push_back(std::move(row));
+        }
     const auto& rows = m_rows;
     std::erase_if(m_chosen, [&rows](const MotionId& id) {
         return id.handle >= static_cast<int>(rows.size()) ||

@@ -134,7 +134,7 @@ class TrackView : public QAbstractScrollArea {
     void stretchBand(const QPointF& to);
     void move(const std::vector<MotionId>& motions, const MotionTime& span, const QString& what,
               const QString& key = {});
-    void change(const QString& what, AnyDesign after);
+    void change(const QString& what, Design after);
     void addPasting(QMenu& menu);
     void fillMenu(QMenu& menu, const Bar& bar);
     void fillMenu(QMenu& menu, const KeyId& key);
@@ -143,7 +143,7 @@ class TrackView : public QAbstractScrollArea {
     void editEase();
     void removeChosen();
     void removeKeys();
-    void changeKeys(const QString& what, AnyDesign after);
+    void changeKeys(const QString& what, Design after);
 
     std::vector<double> keysIn(int row) const;
     std::optional<KeyId> keyAt(const QPointF& at) const;

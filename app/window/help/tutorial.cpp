@@ -72,8 +72,8 @@ Tutorial::Tutorial(const Parts& parts, QWidget& over)
 void Tutorial::makePages() {
     const auto& document = m_session.document();
     const auto moved = [&document] {
-        return std::ranges::count_if(document.design<2>().handles,
-                                     [](const Handle<2>& handle) { return !handle.motions.empty(); });
+        return std::ranges::count_if(document.design().handles,
+                                     [](const Pin& handle) { return !handle.motions.empty(); });
     };
     m_pages = {
         {tr("Only what is pinned holds. <b>Click a hoof</b> of the giraffe to pin it."),
@@ -85,13 +85,13 @@ void Tutorial::makePages() {
         {tr("What it keeps on the way is your choice: at the top right, under <b>Keep</b>, <b>choose Area, "
             "Rigid or "
             "Angle</b>, and see the neck change."),
-         [&document] { return document.design<2>().material.phi; }},
+         [&document] { return document.design().material.phi; }},
         {tr("<b>Press D</b> to see in colours what the bend has changed, and where most. D again hides it."),
          [this] { return m_actions.showMap->isChecked(); }},
         {tr("The same for a part only: <b>press Ctrl+3</b> for the step <i>Paint</i>, and <b>brush over the "
             "neck</b>. "
             "[ and ] change the size of the brush."),
-         [&document] { return document.design<2>().material.regions.size(); }},
+         [&document] { return document.design().material.regions.size(); }},
         {tr("Your drag is already a film: <b>press K</b> to play it. Click into the strip below to go to a "
             "time, and "
             "drag on from there."),
@@ -106,7 +106,7 @@ void Tutorial::makePages() {
 }
 
 int Tutorial::pinCount() const {
-    return static_cast<int>(m_session.document().design<2>().handles.size());
+    return static_cast<int>(m_session.document().design().handles.size());
 }
 
 QString Tutorial::text() const {

@@ -131,7 +131,7 @@ void Offers::look() {
     if (!m_document.path().isEmpty()) return;
     m_isDrawing = isDrawingFile(m_document.source());
     for (const Offer& offer : m_all) {
-        if (!offer.matters() || !m_document.design<2>().handles.empty()) continue;
+        if (!offer.matters() || !m_document.design().handles.empty()) continue;
         if (!offer.isCalledFor) {
             make(offer);
             continue;

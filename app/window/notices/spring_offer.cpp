@@ -23,19 +23,18 @@ constexpr int kSamples = 64;
 
 }  // namespace
 
-template <int Dim>
-bool comesBack(const Handle<Dim>& handle) {
-    const auto isField = [](const Motion<Dim>& motion) {
-        return std::holds_alternative<FieldMotion<Dim>>(motion.kind);
+bool comesBack(const Pin& handle) {
+    const auto isField = [](const PinMotion& motion) {
+        return std::holds_alternative<FieldMotion<3>>(motion.kind);
     };
     if (handle.motions.empty() || std::ranges::any_of(handle.motions, isField)) return false;
     try {
-        const HandleTimeline<Dim> timeline(handle);
+        const HandleTimeline<3> timeline(handle);
         const double from = handle.motions.front().start, to = handle.motions.back().end;
         double farthest = 0, atEnd = 0;
         for (int k = 0; k <= kSamples; ++k) {
             const auto map = timeline.bodyAt(from + (to - from) * k / kSamples, Side::Before).position;
-            atEnd = map.b.norm() + (map.A - Mat<Dim>::Identity()).norm();
+            atEnd = map.b.norm() + (map.A - Mat<3>::Identity()).norm();
             farthest = std::max(farthest, atEnd);
         }
         return atEnd < kBack * farthest;
@@ -43,8 +42,6 @@ bool comesBack(const Handle<Dim>& handle) {
         return false;  // the motion itself says so
     }
 }
-template bool comesBack<2>(const Handle<2>&);
-template bool comesBack<3>(const Handle<3>&);
 
 SpringOffer::SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
     : QObject(parent), m_session(session), m_banner(banner) {
@@ -61,11 +58,7 @@ bool SpringOffer::isDue() const {
     if (document.isEmpty() || settingOf(document, "material.memory") != 0) return false;
     if (motionEnd(*document.project()) <= 0) return false;
     if (m_session.playback().loops()) return true;
-    return std::visit(
-        [](const auto& design) {
-            return std::ranges::any_of(design.handles, [](const auto& handle) { return comesBack(handle); });
-        },
-        designOf(*document.project()));
+    return std::ranges::any_of(document.design().handles, comesBack);
 }
 
 /// The offer is made once for a document.

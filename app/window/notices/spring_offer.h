@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/motion/handle.h"
+#include "app/project/pin.h"
 
 namespace wend {
 
@@ -10,8 +10,7 @@ class InfoBanner;
 class ShapeSession;
 
 /// Returns whether a handle that has moved ends where it began.
-template <int Dim>
-bool comesBack(const Handle<Dim>& handle);
+bool comesBack(const Pin& handle);
 
 /// Offers to let the shape spring back fully where it does not spring back at all, and a handle ends where it
 /// began or the film loops: the shape would end elsewhere.

@@ -72,7 +72,7 @@ class TestFilesOnDisk : public QObject {
 namespace {
 
 std::size_t pinsIn(const QString& path) {
-    return designOf<2>(*readProject(path.toStdString()).project).handles.size();
+    return designOf(*readProject(path.toStdString()).project).handles.size();
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ void TestFilesOnDisk::reloadingTakesThem() {
     const int generation = document().generation();
     answerNext(m_window.get(), "Cancel");
     press("Reload");
-    QCOMPARE(document().design<2>().handles.size(), std::size_t(1));
+    QCOMPARE(document().design().handles.size(), std::size_t(1));
     answerNext(m_window.get(), "Reload");
     press("Reload");
     QVERIFY(opened(generation));
@@ -356,11 +356,11 @@ void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
     };
     QTest::mouseClick(button("Pin It"), Qt::LeftButton);
     QVERIFY(m_window->banner().text().isEmpty());
-    const auto& handles = m_window->session().document().design<2>().handles;
+    const auto& handles = m_window->session().document().design().handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(std::get<std::vector<int>>(handles[0].at).size(), std::size_t(3));  // it neither moves nor turns
     m_window->session().document().undoStack()->undo();
-    QVERIFY(m_window->session().document().design<2>().handles.empty());
+    QVERIFY(m_window->session().document().design().handles.empty());
     m_window->session().document().undoStack()->setClean();
     m_window->openPath(file("square.off"));
     QVERIFY(isOpen("square.off"));

@@ -42,7 +42,7 @@ bool TestLegend::pull(SolidFixture& f) {
     ShapeSession& session = f.session();
     for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
     const auto film = copyOf(f.project());
-    designOf<Dim>(*film).handles[1].motions = {{Translate<Dim>{Vec<Dim>::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
+    designOf(*film).handles[1].motions = {{Translate<3>{Vec3::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
     endOf(*film) = 1;
     session.document().change(QStringLiteral("Film"), film);
     if (!settle(session)) return false;
@@ -126,8 +126,8 @@ void TestLegend::lock() {
     ShapeSession& session = f.session();
     for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
     const auto film = copyOf(f.project());
-    auto& end = designOf<Dim>(*film).handles[1];
-    end.motions = {{Translate<Dim>{Vec<Dim>::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
+    auto& end = designOf(*film).handles[1];
+    end.motions = {{Translate<3>{Vec3::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
     endOf(*film) = 1;
     session.document().change(QStringLiteral("Film"), film);
     QVERIFY(settle(session));

@@ -197,9 +197,9 @@ void TestPartList::canvasIsTheExport() {
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas, end + QPoint(-4 * i, 5 * i));
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, end + QPoint(-24, 30));
     QVERIFY(settle(session));
-    const auto& handles = session.document().design<2>().handles;
+    const auto& handles = session.document().design().handles;
     QCOMPARE(handles.size(), std::size_t{2});
-    for (const Handle<2>& handle : handles) QCOMPARE(handle.part, std::string("bar"));
+    for (const Pin& handle : handles) QCOMPARE(handle.part, std::string("bar"));
     session.selection().clear();
     m_f->window().canvas().viewport().set(&Looks::hidden, true);
     QTRY_VERIFY_WITH_TIMEOUT(canvas.isSettled(), 20000);
@@ -423,7 +423,7 @@ void TestPartList::lockedPartsAreLeftAlone() {
     QVERIFY(!session.mayChange(before));
     m_f->tool("pin")->trigger();
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.toWidget({70, 35}).toPoint());
-    const auto& handles = session.document().design<2>().handles;
+    const auto& handles = session.document().design().handles;
     QCOMPARE(handles.size(), std::size_t{2});
     QCOMPARE(handles.back().part, std::string("board"));
     QVERIFY(session.mayChange(1));
@@ -486,7 +486,7 @@ void TestPartList::paintBelongsToParts() {
     m_f->window().properties().brush().set(brush);
     stroke();
     QVERIFY(settle(session));
-    QCOMPARE(session.document().design<2>().material.regions.front().part, std::string("bar"));
+    QCOMPARE(session.document().design().material.regions.front().part, std::string("bar"));
     QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
     QVERIFY(painted(1) && !painted(0));
     undo().undo();
@@ -507,7 +507,7 @@ void TestPartList::gradientsAndFillsBelongToParts() {
     BrushSettings brush = m_f->window().properties().brush().now();
     brush.phi = phi::kAkvf;
     m_f->window().properties().brush().set(brush);
-    const auto regions = [&] { return session.document().design<2>().material.regions; };
+    const auto regions = [&] { return session.document().design().material.regions; };
     m_f->tool("gradient")->trigger();
     stroke({{75, 35}, {80, 37}, {85, 45}});
     QCOMPARE(regions().size(), std::size_t{1});
@@ -537,7 +537,7 @@ void TestPartList::detailBelongsToParts() {
         const auto part = std::ranges::find(rest.parts, name, &MeshPart::name);
         return Points<2>(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
     };
-    const auto sizes = [&] { return session.document().domain().flatSizes; };
+    const auto sizes = [&] { return session.document().domain().sizes; };
     const auto near = [](const Points<2>& points) {
         return ((points.colwise() - Vec<2>(72, 37)).colwise().norm().array() < 10).count();
     };

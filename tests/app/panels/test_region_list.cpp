@@ -40,7 +40,7 @@ class TestRegionList : public QObject {
     }
     std::vector<NamedRegions> groups(RegionsOf of) {
         const Project& project = m_f->project();
-        return of == RegionsOf::Detail ? namedRegions(project.domain.flatSizes) : namedRegions(project.depth);
+        return of == RegionsOf::Detail ? namedRegions(project.domain.sizes) : namedRegions(project.depth);
     }
     QUndoStack& undo() { return *m_f->session().document().undoStack(); }
 
@@ -84,7 +84,7 @@ bool TestRegionList::brush(double fromU, double toU) {
 void TestRegionList::groupsOfOneName() {
     DepthRegions depth;
     const auto add = [&](const char* name, double order) {
-        depth.push_back({name, Ball<2>{{order, 0}, 1}, order});
+        depth.push_back({name, Ball<3>{{order, 0, 0}, 1}, order});
     };
     add("a", 1), add("", 2), add("b", 3), add("a", 4), add("", 5);
     const auto all = namedRegions(depth);
@@ -97,19 +97,19 @@ void TestRegionList::groupsOfOneName() {
     // A pin that gives an order has its regions' name, and none takes that of another.
     Project project;
     project.depth = depth;
-    auto& handles = std::get<Design<2>>(project.design).handles;
-    handles.push_back({"b", std::vector<Vec<2>>{{3, 0}}, {}});
-    handles.push_back({"d", std::vector<Vec<2>>{{4, 0}}, {}});
+    auto& handles = project.design.handles;
+    handles.push_back({"b", std::vector<Vec3>{{3, 0, 0}}, {}});
+    handles.push_back({"d", std::vector<Vec3>{{4, 0, 0}}, {}});
     const Project both = withDepthName(project, 2, "e");
     QVERIFY(both.depth[2].name == "e" && depthOfHandle(both.depth, "e") == 3);
-    QVERIFY(std::get<Design<2>>(both.design).handles[0].name == "e");
+    QVERIFY(both.design.handles[0].name == "e");
     QVERIFY(withDepthName(project, 2, "d").depth[2].name == "d 2");
     const DepthRegions without = withoutRegions(depth, 0);
     QVERIFY(without.size() == 3 && without[0].order == 2 && without[1].name == "b");
     const DepthRegions changed = withRegionsValue(depth, 0, -1);
     QVERIFY(changed[0].order == -1 && changed[3].order == -1 && changed[1].order == 2);
     QVERIFY(withoutRegions(depth, 7) == depth);
-    QVERIFY(namedRegions(std::vector<SizeRegionIn<2>>()).empty());
+    QVERIFY(namedRegions(std::vector<SizeRegion>()).empty());
 }
 
 /// The last one on top, with its number, which can be changed; renamed by typing, and removed. Each is a
@@ -180,8 +180,8 @@ void TestRegionList::chosenOnesAreOutlined() {
         [[maybe_unused]] const bool settled = QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000);
         return canvas.grab().toImage();
     };
-    const auto ball = std::get<Ball<2>>(groups(of)[0].regions[0].shape);
-    const QPoint edge = canvas.toWidget(ball.centre - Vec<2>(0, ball.radius)).toPoint();
+    const auto ball = std::get<Ball<3>>(groups(of)[0].regions[0].shape);
+    const QPoint edge = canvas.toWidget(inPlane(ball.centre) - Vec<2>(0, ball.radius)).toPoint();
     const auto differAtTheEdge = [&](const QImage& a, const QImage& b) {
         for (int y = -3; y <= 3; ++y)
             if (a.pixel(edge + QPoint(0, y)) != b.pixel(edge + QPoint(0, y))) return true;
@@ -204,9 +204,9 @@ void TestRegionList::chosenOnesAreOutlined() {
 void TestRegionList::whatAFileHasIsListed() {
     QVERIFY(open(RegionsOf::Depth));
     Project next = m_f->project();
-    next.depth = {{"", Box<2>{{40, 60}, {80, 100}}, 1},
+    next.depth = {{"", Box<3>{{40, 60, 0}, {80, 100, 0}}, 1},
                   {"", Polygon{{{100, 60}, {140, 60}, {120, 100}}}, -2},
-                  {"", HalfSpace<2>{{180, 80}, {1, 0}}, 3}};
+                  {"", HalfSpace<3>{{180, 80, 0}, {1, 0, 0}}, 3}};
     m_f->session().document().change(QStringLiteral("Depth"), next);
     QVERIFY(settle(m_f->session()));
     QListWidget& list = *panel(RegionsOf::Depth).list();
@@ -237,8 +237,8 @@ void TestRegionList::circlesHaveARadius() {
     QVERIFY(field->isVisible());
     QCOMPARE(field->value(), 15.0);
     const auto radius = [&] {
-        const auto& at = session.document().design<2>().handles[1].at;
-        return std::get<Ball<2>>(std::get<Region<2>>(at)).radius;
+        const auto& at = session.document().design().handles[1].at;
+        return std::get<Ball<3>>(std::get<Region<3>>(at)).radius;
     };
     const int steps = undo().count();
     const auto type = [&](const char* text) {

@@ -47,8 +47,8 @@ constexpr double kRounding = 1e-12;  // of lengths near 1
 
 /// A chain of two pieces with a corner between them.
 template <int Dim>
-std::vector<Vec<Dim>> chain() {
-    std::vector<Vec<Dim>> points;
+std::vector<Vec3> chain() {
+    std::vector<Vec3> points;
     for (const auto& p : std::vector<std::array<double, 3>>{{0, 0, 0},
                                                             {0.4, 0.9, 0.3},
                                                             {1, 1, -0.2},
@@ -56,7 +56,7 @@ std::vector<Vec<Dim>> chain() {
                                                             {1.6, -0.7, 0.5},
                                                             {2.2, -1, 0.1},
                                                             {3, 0.1, 0.4}}) {
-        Vec<Dim> q;
+        Vec3 q = Vec3::Zero();
         for (int k = 0; k < Dim; ++k) q[k] = p[k];
         points.push_back(q);
     }
@@ -64,7 +64,7 @@ std::vector<Vec<Dim>> chain() {
 }
 
 template <int Dim>
-double angleBetween(const Vec<Dim>& a, const Vec<Dim>& b) {
+double angleBetween(const Vec3& a, const Vec3& b) {
     return (a.normalized() - b.normalized()).norm();
 }
 
@@ -74,19 +74,19 @@ void TestCurves::splitKeepsTheCurve() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
         const auto points = chain<Dim>();
-        const auto before = bezierCurve<Dim>(points).pieces;
+        const auto before = bezierCurve<3>(points).pieces;
         for (const double v : {0.05, 0.3, 0.5, 0.8}) {
-            const auto split = splitBezier<Dim>(points, 1, v);
+            const auto split = splitBezier(points, 1, v);
             QCOMPARE(split.size(), points.size() + 3);
-            const auto after = bezierCurve<Dim>(split).pieces;
+            const auto after = bezierCurve<3>(split).pieces;
             for (int i = 0; i <= 10; ++i) {
                 const double t = i / 10.0;
                 QVERIFY((after[0].value(t) - before[0].value(t)).norm() < kRounding);
                 QVERIFY((after[1].value(t) - before[1].value(v * t)).norm() < kRounding);
                 QVERIFY((after[2].value(t) - before[1].value(v + (1 - v) * t)).norm() < kRounding);
             }
-            QVERIFY(jointKinds<Dim>(split)[2] != JointKind::Free);
-            QVERIFY(jointKinds<Dim>(split)[1] == JointKind::Free);
+            QVERIFY(jointKinds(split)[2] != JointKind::Free);
+            QVERIFY(jointKinds(split)[1] == JointKind::Free);
         }
     });
 }
@@ -96,7 +96,7 @@ void TestCurves::removingUndoesASplit() {
         constexpr int Dim = dim;
         const auto points = chain<Dim>();
         for (const double v : {0.05, 0.3, 0.5, 0.8}) {
-            const auto back = withoutJoint<Dim>(splitBezier<Dim>(points, 0, v), 1);
+            const auto back = withoutJoint(splitBezier(points, 0, v), 1);
             QCOMPARE(back.size(), points.size());
             for (std::size_t i = 0; i < points.size(); ++i)
                 QVERIFY((back[i] - points[i]).norm() < 1e-10);  // divided by v
@@ -107,13 +107,13 @@ void TestCurves::removingUndoesASplit() {
 void TestCurves::endsAndLastPiecesStay() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
-        CurveMotion<Dim> motion;
+        CurveMotion<3> motion;
         motion.points = chain<Dim>();
-        QVERIFY(!withoutPoint<Dim>(motion, 0) && !withoutPoint<Dim>(motion, 1));  // of the first joint
-        const auto shorter = withoutPoint<Dim>(motion, 6);
+        QVERIFY(!withoutPoint(motion, 0) && !withoutPoint(motion, 1));  // of the first joint
+        const auto shorter = withoutPoint(motion, 6);
         QVERIFY(shorter && shorter->points.size() == 4 && shorter->points.back() == motion.points[3]);
-        QVERIFY(!withoutPoint<Dim>(*shorter, 3));
-        QVERIFY(withoutPoint<Dim>(motion, 2)->points.size() == 4);  // a direction stands for its joint
+        QVERIFY(!withoutPoint(*shorter, 3));
+        QVERIFY(withoutPoint(motion, 2)->points.size() == 4);  // a direction stands for its joint
     });
 }
 
@@ -121,27 +121,27 @@ void TestCurves::kindsFollowTheGeometry() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
         const auto points = chain<Dim>();
-        QVERIFY(jointKinds<Dim>(points) == std::vector<JointKind>(3, JointKind::Free));
-        const auto aligned = withJointKind<Dim>(points, 1, JointKind::Aligned);
-        QVERIFY(jointKinds<Dim>(aligned)[1] == JointKind::Aligned);
+        QVERIFY(jointKinds(points) == std::vector<JointKind>(3, JointKind::Free));
+        const auto aligned = withJointKind(points, 1, JointKind::Aligned);
+        QVERIFY(jointKinds(aligned)[1] == JointKind::Aligned);
         for (const int side : {2, 4})  // only turned
             QVERIFY(std::abs((aligned[side] - aligned[3]).norm() - (points[side] - points[3]).norm()) <
                     kRounding);
-        const auto automatic = withJointKind<Dim>(points, 1, JointKind::Automatic);
-        QVERIFY(jointKinds<Dim>(automatic)[1] == JointKind::Automatic);
+        const auto automatic = withJointKind(points, 1, JointKind::Automatic);
+        QVERIFY(jointKinds(automatic)[1] == JointKind::Automatic);
         QVERIFY(angleBetween<Dim>(automatic[4] - automatic[3], automatic[6] - automatic[0]) < kRounding);
-        QVERIFY(withJointKind<Dim>(points, 0, JointKind::Aligned) == points);
+        QVERIFY(withJointKind(points, 0, JointKind::Aligned) == points);
     });
 }
 
 void TestCurves::alignedDirectionsStayOnOneLine() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
-        const auto points = withJointKind<Dim>(chain<Dim>(), 1, JointKind::Aligned);
-        const Vec<Dim> by = Vec<Dim>::Constant(0.3);
-        auto kinds = jointKinds<Dim>(points);
+        const auto points = withJointKind(chain<Dim>(), 1, JointKind::Aligned);
+        const Vec3 by = Vec3::Constant(0.3);
+        auto kinds = jointKinds(points);
         for (const int point : {2, 4}) {
-            const auto moved = withMovedPoint<Dim>(points, kinds, point, by);
+            const auto moved = withMovedPoint(points, kinds, point, by);
             QVERIFY((moved[point] - points[point] - by).norm() < kRounding);
             QVERIFY(angleBetween<Dim>(moved[3] - moved[2], moved[4] - moved[3]) < kRounding);
             const int other = 6 - point;
@@ -149,7 +149,7 @@ void TestCurves::alignedDirectionsStayOnOneLine() {
                     kRounding);
         }
         kinds[1] = JointKind::Free;
-        const auto alone = withMovedPoint<Dim>(points, kinds, 2, by);
+        const auto alone = withMovedPoint(points, kinds, 2, by);
         QVERIFY(alone[4] == points[4] && alone[3] == points[3]);
     });
 }
@@ -157,12 +157,12 @@ void TestCurves::alignedDirectionsStayOnOneLine() {
 void TestCurves::jointsTakeTheirDirectionsAlong() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
-        const auto points = withJointKind<Dim>(chain<Dim>(), 1, JointKind::Automatic);
-        const Vec<Dim> by = Vec<Dim>::Constant(-0.4);
-        const auto moved = withMovedPoint<Dim>(points, jointKinds<Dim>(points), 6, by);
+        const auto points = withJointKind(chain<Dim>(), 1, JointKind::Automatic);
+        const Vec3 by = Vec3::Constant(-0.4);
+        const auto moved = withMovedPoint(points, jointKinds(points), 6, by);
         QVERIFY((moved[5] - points[5] - by).norm() < kRounding);
         QVERIFY(moved[3] == points[3]);
-        QVERIFY(jointKinds<Dim>(moved)[1] == JointKind::Automatic);  // follows its neighbour
+        QVERIFY(jointKinds(moved)[1] == JointKind::Automatic);  // follows its neighbour
         QVERIFY(angleBetween<Dim>(moved[4] - moved[3], moved[6] - moved[0]) < kRounding);
     });
 }
@@ -171,33 +171,32 @@ void TestCurves::pointsOnOtherCurves() {
     inBoth([](auto dim) {
         constexpr int Dim = dim;
         for (const Interpolation kind : {Interpolation::Polyline, Interpolation::Spline}) {
-            CurveMotion<Dim> motion;
+            CurveMotion<3> motion;
             motion.interpolation = kind;
             motion.points = chain<Dim>();
             motion.points.insert(motion.points.begin() + 2, motion.points[2]);  // twice: counts once
-            const Vec<Dim> p = curveOf<Dim>(motion).pieces[3].value(0.25);
-            const auto more = withPointOn<Dim>(motion, 3, 0.25);
+            const Vec3 p = curveOf(motion).pieces[3].value(0.25);
+            const auto more = withPointOn(motion, 3, 0.25);
             QCOMPARE(more.points.size(), std::size_t(8));
             QVERIFY(more.points[4] == p);
-            QVERIFY(withoutPoint<Dim>(more, 4)->points == chain<Dim>());
+            QVERIFY(withoutPoint(more, 4)->points == chain<Dim>());
         }
     });
 }
 
 /// Points that are one up to rounding have no piece between them.
 void TestCurves::repeatedPointsCountOnce() {
-    inBoth([](auto dim) {
-        constexpr int Dim = dim();
-        const auto x = [](double value) -> Vec<Dim> { return value * Vec<Dim>::UnitX(); };
-        CurveMotion<Dim> motion;
+    inBoth([](auto) {
+        const auto x = [](double value) -> Vec3 { return value * Vec3::UnitX(); };
+        CurveMotion<3> motion;
         motion.interpolation = Interpolation::Polyline;
         motion.points = {x(0), x(1), x(1 + 1e-14), x(2), x(2), x(4)};
-        QCOMPARE(curveOf<Dim>(motion).pieces.size(), std::size_t(3));
+        QCOMPARE(curveOf(motion).pieces.size(), std::size_t(3));
         const std::vector<int> pieces = {0, 1, 1, 2, 2, 2};
-        for (int i = 0; i < 6; ++i) QCOMPARE(pieceBehind<Dim>(motion, i), pieces[i]);
-        QCOMPARE(pieceBehind<Dim>(motion, -1), 0);
-        const auto next = withPointOn<Dim>(motion, 2, 0.5);
-        const std::vector<Vec<Dim>> expected = {x(0), x(1), x(2), x(3), x(4)};
+        for (int i = 0; i < 6; ++i) QCOMPARE(pieceBehind(motion, i), pieces[i]);
+        QCOMPARE(pieceBehind(motion, -1), 0);
+        const auto next = withPointOn(motion, 2, 0.5);
+        const std::vector<Vec3> expected = {x(0), x(1), x(2), x(3), x(4)};
         QVERIFY(next.points == expected);
     });
 }

@@ -11,8 +11,8 @@
 #include "app/project/edits/simplify_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"
-#include "core/motion/constraints.h"
 #include "core/motion/easing.h"
+#include "core/motion/trajectory.h"
 
 using namespace wend;
 
@@ -39,17 +39,17 @@ namespace {
 /// in a film of 5 s.
 template <int Dim>
 Project film() {
-    Design<Dim> design;
+    Design design;
     for (const char* name : {"A", "B", "C"}) {
-        Handle<Dim> handle;
+        Pin handle;
         handle.name = name;
-        handle.at = std::vector<Vec<Dim>>{Vec<Dim>::Zero()};
+        handle.at = std::vector<Vec3>{Vec3::Zero()};
         design.handles.push_back(handle);
     }
-    const Vec<Dim> x = Vec<Dim>::Unit(0), y = Vec<Dim>::Unit(1);
+    const Vec3 x = Vec3::Unit(0), y = Vec3::Unit(1);
     design.handles[0].motions = {
-        {Translate<Dim>{x}, 0, 1}, {Translate<Dim>{2 * y}, 1, 2}, {Translate<Dim>{4 * x}, 3, 4}};
-    design.handles[1].motions = {{Translate<Dim>{8 * y}, 1, 2}};
+        {Translate<3>{x}, 0, 1}, {Translate<3>{2 * y}, 1, 2}, {Translate<3>{4 * x}, 3, 4}};
+    design.handles[1].motions = {{Translate<3>{8 * y}, 1, 2}};
     Project project;
     project.end = 5;
     project.design = design;
@@ -57,52 +57,59 @@ Project film() {
 }
 
 template <int Dim>
-std::vector<Motion<Dim>>& motionsOf(Project& project, int handle) {
-    return std::get<Design<Dim>>(project.design).handles[static_cast<std::size_t>(handle)].motions;
+std::vector<PinMotion>& motionsOf(Project& project, int handle) {
+    return project.design.handles[static_cast<std::size_t>(handle)].motions;
 }
 
+/// The place of a point that rests at the origin, and is vertex 3 of fields.
 template <int Dim>
-Vec<Dim> placeAt(const Project& project, int handle, double time) {
-    const HandleTimeline<Dim> timeline(
-        std::get<Design<Dim>>(project.design).handles[static_cast<std::size_t>(handle)]);
-    return timeline.bodyAt(time, Side::Before).position(Vec<Dim>::Zero());
-}
-
-/// The place by the closed form of a film of straight motions, independent of the timeline.
-Vec<2> straightPlace(const std::vector<Motion<2>>& motions, double time) {
-    Vec<2> place = Vec<2>::Zero();
-    for (const Motion<2>& motion : motions) {
-        const double s = std::clamp((time - motion.start) / (motion.end - motion.start), 0.0, 1.0);
-        const std::array factors = {s, s * s, s * (2 - s), s * s * (3 - 2 * s)};
-        place += factors[static_cast<std::size_t>(motion.ease)] * std::get<Translate<2>>(motion.kind).by;
+Vec3 placeAt(const Project& project, int handle, double time) {
+    Vec3 place = Vec3::Zero();
+    for (const PinMotion& motion : project.design.handles[static_cast<std::size_t>(handle)].motions) {
+        const auto map = Trajectory<3>(motion).at(time, Side::Before);
+        place = map.position(place);
+        if (const auto* field = std::get_if<FieldMotion<3>>(&motion.kind))
+            for (const auto& [vertex, displacement] : *field->values)
+                if (vertex == 3) place += map.share * displacement;
     }
     return place;
 }
 
-Project with(Project project, AnyDesign design) {
+/// The place by the closed form of a film of straight motions, independent of the timeline.
+Vec3 straightPlace(const std::vector<PinMotion>& motions, double time) {
+    Vec3 place = Vec3::Zero();
+    for (const PinMotion& motion : motions) {
+        const double s = std::clamp((time - motion.start) / (motion.end - motion.start), 0.0, 1.0);
+        const std::array factors = {s, s * s, s * (2 - s), s * s * (3 - 2 * s)};
+        place += factors[static_cast<std::size_t>(motion.ease)] * std::get<Translate<3>>(motion.kind).by;
+    }
+    return place;
+}
+
+Project with(Project project, Design design) {
     project.design = std::move(design);
     return project;
 }
 
 /// Of motions that are straight, curves or recorded.
 template <int Dim>
-bool sameBits(const Motion<Dim>& a, const Motion<Dim>& b) {
+bool sameBits(const PinMotion& a, const PinMotion& b) {
     if (a.start != b.start || a.end != b.end || a.ease != b.ease || a.kind.index() != b.kind.index())
         return false;
-    if (const auto* straight = std::get_if<Translate<Dim>>(&a.kind))
-        return straight->by == std::get<Translate<Dim>>(b.kind).by;
-    if (const auto* curve = std::get_if<CurveMotion<Dim>>(&a.kind)) {
-        const auto& other = std::get<CurveMotion<Dim>>(b.kind);
+    if (const auto* straight = std::get_if<Translate<3>>(&a.kind))
+        return straight->by == std::get<Translate<3>>(b.kind).by;
+    if (const auto* curve = std::get_if<CurveMotion<3>>(&a.kind)) {
+        const auto& other = std::get<CurveMotion<3>>(b.kind);
         return curve->points == other.points && curve->scale == other.scale;
     }
-    if (const auto* field = std::get_if<FieldMotion<Dim>>(&a.kind))
-        return *field->values == *std::get<FieldMotion<Dim>>(b.kind).values;
-    const auto &stroke = std::get<Recorded<Dim>>(a.kind), &other = std::get<Recorded<Dim>>(b.kind);
+    if (const auto* field = std::get_if<FieldMotion<3>>(&a.kind))
+        return *field->values == *std::get<FieldMotion<3>>(b.kind).values;
+    const auto &stroke = std::get<Recorded<3>>(a.kind), &other = std::get<Recorded<3>>(b.kind);
     return stroke.times == other.times && stroke.points == other.points;
 }
 
 template <int Dim>
-bool sameBits(const std::vector<Motion<Dim>>& a, const std::vector<Motion<Dim>>& b) {
+bool sameBits(const std::vector<PinMotion>& a, const std::vector<PinMotion>& b) {
     return std::ranges::equal(a, b,
                               [](const auto& one, const auto& other) { return sameBits<Dim>(one, other); });
 }
@@ -121,7 +128,7 @@ void TestKeys::movedKeysTakeBothSides() {
     QCOMPARE(motionsOf<2>(moved, 0)[0].end, 1.5);
     QCOMPARE(motionsOf<2>(moved, 0)[1].start, 1.5);
     QCOMPARE(motionsOf<2>(moved, 0)[1].end, 2.0);
-    QVERIFY((placeAt<2>(moved, 0, 0.75) - Vec<2>(0.5, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(moved, 0, 0.75) - Vec3(0.5, 0, 0)).norm() < 1e-14);
     moved = *withKeysMoved(film<2>(), {{0, 4}, {1, 2}}, 3);  // one goes beyond the end
     QCOMPARE(moved.end, 7.0);
     QCOMPARE(motionsOf<2>(moved, 0)[2].end, 7.0);
@@ -147,15 +154,15 @@ void TestKeys::removedKeysAreBridged() {
     const Project before = film<2>();
     Project after = with(before, withoutKeys(before.design, {{0, 1}}));
     QCOMPARE(motionsOf<2>(after, 0).size(), 2U);
-    QVERIFY((placeAt<2>(after, 0, 1) - Vec<2>(0.5, 1)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(after, 0, 2) - Vec<2>(1, 2)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 1) - Vec3(0.5, 1, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 2) - Vec3(1, 2, 0)).norm() < 1e-14);
     after = with(before, withoutKeys(before.design, {{0, 2}}));  // to the next key instead
-    QVERIFY((placeAt<2>(after, 0, 2) - Vec<2>(1, 1)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(after, 0, 4) - Vec<2>(5, 2)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 2) - Vec3(1, 1, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 4) - Vec3(5, 2, 0)).norm() < 1e-14);
     after = with(before, withoutKeys(before.design, {{0, 4}}));  // the last one: it stays
-    QVERIFY((placeAt<2>(after, 0, 5) - Vec<2>(1, 2)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 5) - Vec3(1, 2, 0)).norm() < 1e-14);
     after = with(before, withoutKeys(before.design, {{1, 1}}));  // the first one: from rest
-    QVERIFY((placeAt<2>(after, 1, 1) - Vec<2>(0, 4)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 1, 1) - Vec3(0, 4, 0)).norm() < 1e-14);
     QCOMPARE(toJson(with(before, withoutKeys(before.design, {{0, 0}}))), toJson(before));
     after = with(before, withoutKeys(before.design, {{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}}));
     QVERIFY(motionsOf<2>(after, 0).empty());
@@ -165,14 +172,14 @@ void TestKeys::heldKeysStay() {
     const Project before = film<2>();
     Project after = with(before, withKeysHeld(before.design, {{0, 1}}));
     for (const double time : {1.0, 1.5, 2.0})
-        QVERIFY((placeAt<2>(after, 0, time) - Vec<2>(1, 0)).norm() < 1e-14);
+        QVERIFY((placeAt<2>(after, 0, time) - Vec3(1, 0, 0)).norm() < 1e-14);
     for (const double time : {3.0, 4.0})  // it is back where it was
         QVERIFY((placeAt<2>(after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
     after = with(before, withKeysHeld(before.design, {{0, 0}}));
-    QVERIFY(placeAt<2>(after, 0, 1) == Vec<2>(0, 0));
+    QVERIFY(placeAt<2>(after, 0, 1) == Vec3(0, 0, 0));
     QVERIFY((placeAt<2>(after, 0, 2) - placeAt<2>(before, 0, 2)).norm() < 1e-14);
     after = with(before, withKeysHeld(before.design, {{0, 3}}));
-    QVERIFY((placeAt<2>(after, 0, 5) - Vec<2>(1, 2)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 5) - Vec3(1, 2, 0)).norm() < 1e-14);
     QCOMPARE(toJson(with(before, withKeysHeld(before.design, {{0, 2}, {0, 4}}))), toJson(before));
 }
 
@@ -193,27 +200,27 @@ void TestKeys::keysAreEased() {
 
 void TestKeys::copiesAreSetElsewhere() {
     const Project before = film<2>();
-    const std::vector<Vec<2>> starts(3, Vec<2>::Zero());
-    const auto copies = copiedKeys<2>(std::get<Design<2>>(before.design), {{0, 2}, {0, 1}, {1, 2}}, starts);
+    const std::vector<Vec3> starts(3, Vec3::Zero());
+    const auto copies = copiedKeys(before.design, {{0, 2}, {0, 1}, {1, 2}}, starts);
     QCOMPARE(copies.size(), 3U);
     QVERIFY(copies[0].after == 0 && copies[1].after == 1 && copies[2].after == 1);
     QVERIFY(copies[0].offset == Amount(1, 0, 0) && copies[1].offset == Amount(1, 2, 0));
     std::vector<KeyId> pasted;
-    Project after = *withKeysPasted<2>(before, copies, 6, starts, pasted);
+    Project after = *withKeysPasted(before, copies, 6, starts, pasted);
     QCOMPARE(pasted, (std::vector<KeyId>{{0, 6}, {0, 7}, {1, 7}}));
     QCOMPARE(after.end, 7.0);
-    QVERIFY((placeAt<2>(after, 0, 6) - Vec<2>(1, 0)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(after, 0, 7) - Vec<2>(1, 2)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(after, 0, 5) - Vec<2>(3, 1)).norm() < 1e-14);  // on the way from 4 to 6
-    QVERIFY((placeAt<2>(after, 1, 7) - Vec<2>(0, 8)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 6) - Vec3(1, 0, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 7) - Vec3(1, 2, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 0, 5) - Vec3(3, 1, 0)).norm() < 1e-14);  // on the way from 4 to 6
+    QVERIFY((placeAt<2>(after, 1, 7) - Vec3(0, 8, 0)).norm() < 1e-14);
     for (double time = 0; time <= 4; time += 0.25)
         QVERIFY((placeAt<2>(after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
     auto others = copies;  // on a pin that does not move; one where it rests
     for (CopiedKey& copy : others) copy.handle = 2;
     others.pop_back();
-    after = *withKeysPasted<2>(before, others, 0, starts, pasted);
+    after = *withKeysPasted(before, others, 0, starts, pasted);
     QCOMPARE(pasted, (std::vector<KeyId>{{2, 1}}));
-    QVERIFY((placeAt<2>(after, 2, 3) - Vec<2>(1, 2)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(after, 2, 3) - Vec3(1, 2, 0)).norm() < 1e-14);
 }
 
 /// A pose at the end of an eased motion: one vector less or more, the same easing.
@@ -224,20 +231,20 @@ void TestKeys::straightMotionsKeepTheirEasing() {
     gesture.handles = {0};
     gesture.path = {Amount::Zero(), Amount(0, 3, 0)};
     gesture.from = 1;
-    auto after = *withPose<2>(project, gesture, {Vec<2>(1, 0)});
+    auto after = *withPose(project, gesture, {Vec3(1, 0, 0)});
     const auto& motions = motionsOf<2>(after, 0);
-    QVERIFY(std::get<Translate<2>>(motions[0].kind).by == Vec<2>(1, 3));
-    QVERIFY(std::get<Translate<2>>(motions[1].kind).by == Vec<2>(0, -1));
+    QVERIFY(std::get<Translate<3>>(motions[0].kind).by == Vec3(1, 3, 0));
+    QVERIFY(std::get<Translate<3>>(motions[1].kind).by == Vec3(0, -1, 0));
     QVERIFY(motions[0].ease == Ease::Out && motions[1].ease == Ease::InOut);
 }
 
 /// Straight pieces with easing are found again; anything else is followed within the tolerance.
 void TestKeys::recordingsBecomeKeys() {
-    std::vector<Motion<2>> pieces;
+    std::vector<PinMotion> pieces;
     for (int i = 0; i < 4; ++i)
         pieces.push_back(
-            {Translate<2>{Vec<2>(i % 2 == 0 ? 10 : -6, 3 * i)}, i * 1.0, i + 1.0, static_cast<Ease>(i)});
-    Recorded<2> stroke;
+            {Translate<3>{Vec3(i % 2 == 0 ? 10 : -6, 3 * i, 0)}, i * 1.0, i + 1.0, static_cast<Ease>(i)});
+    Recorded<3> stroke;
     for (int i = 0; i <= 400; ++i) {
         stroke.times.push_back(i / 100.0);
         stroke.points.push_back(straightPlace(pieces, i / 100.0));
@@ -250,8 +257,8 @@ void TestKeys::recordingsBecomeKeys() {
     QVERIFY(count >= 4 && count <= 12);
     std::mt19937 random(1);
     std::normal_distribution<double> step(0, 1);
-    Vec<2> at = Vec<2>::Zero();
-    for (Vec<2>& point : stroke.points) point = at += Vec<2>(step(random), step(random));
+    Vec3 at = Vec3::Zero();
+    for (Vec3& point : stroke.points) point = at += Vec3(step(random), step(random), 0);
     for (const double tolerance : {0.01, 1.0, 5.0}) {
         motionsOf<2>(project, 0) = {{stroke, 0.5, 4.5}};
         keys = with(project, withFewKeys(project.design, {{0, 0}}, tolerance));
@@ -283,16 +290,15 @@ namespace {
 template <int Dim>
 Project randomAddition(const Project& project, std::mt19937& random) {
     const double time = std::uniform_real_distribution<double>(0.5, 6)(random);
-    const auto& design = std::get<Design<Dim>>(project.design);
+    const auto& design = project.design;
     const auto marks = static_cast<int>(project.markers.size());
     switch (random() % 5) {
         case 0:
             if (design.handles.size() >= 8) break;
             {
                 Project next = project;
-                const std::vector<Vec<Dim>> at = {Vec<Dim>::Zero()};
-                next.design =
-                    withHandle<Dim>(design, at, "Late " + std::to_string(design.handles.size()), time);
+                const std::vector<Vec3> at = {Vec3::Zero()};
+                next.design = withHandle(design, at, "Late " + std::to_string(design.handles.size()), time);
                 return next;
             }
         case 1:
@@ -311,14 +317,14 @@ Project randomAddition(const Project& project, std::mt19937& random) {
 /// A pose of a handle: any one, or a copy of one that it or another handle has, mirrored or not.
 template <int Dim>
 CopiedKey randomPose(const Project& project, int handle, std::mt19937& random,
-                     const std::vector<Vec<Dim>>& starts) {
+                     const std::vector<Vec3>& starts) {
     CopiedKey copy{handle, 0, Amount::Zero(), {random() % 2 == 0, random() % 2 == 0}};
     for (int k = 0; k < Dim; ++k) copy.offset[k] = std::uniform_real_distribution<double>(-5, 5)(random);
     const int other = static_cast<int>(random() % starts.size());
     const std::vector<double> times = keyTimes(project.design, other);
     if (times.empty() || random() % 2 == 0) return copy;
     const double time = times[random() % times.size()];
-    copy = copiedKeys<Dim>(std::get<Design<Dim>>(project.design), {{other, time}}, starts).at(0);
+    copy = copiedKeys(project.design, {{other, time}}, starts).at(0);
     copy.handle = handle;
     if (random() % 2 == 0) copy.offset[0] = -copy.offset[0];
     return copy;
@@ -336,14 +342,13 @@ Project randomEdit(const Project& project, int& handle, std::mt19937& random, do
         return randomAddition<Dim>(project, random);
     }
     const std::vector<double> times = keyTimes(project.design, handle);
-    const std::vector<Vec<Dim>> starts(std::get<Design<Dim>>(project.design).handles.size(),
-                                       Vec<Dim>::Zero());
+    const std::vector<Vec3> starts(project.design.handles.size(), Vec3::Zero());
     const int what = times.empty() ? 5 : times.size() > 30 ? upTo(2) : upTo(7);
     if (what == 5) {
         const CopiedKey copy = randomPose<Dim>(project, handle, random, starts);
         const double time = uniform(0, 8);
         std::vector<KeyId> pasted;
-        Project next = *withKeysPasted<Dim>(project, {copy}, time, starts, pasted);
+        Project next = *withKeysPasted(project, {copy}, time, starts, pasted);
         from = to = pasted.empty() ? time : pasted[0].time;
         return next;
     }
@@ -361,14 +366,13 @@ Project randomEdit(const Project& project, int& handle, std::mt19937& random, do
     if (what == 6) {
         const auto between = motionsBetween(project.design, {{handle, key}});
         const Progress progress{uniform(-0.5, 1.5), uniform(-0.5, 1.5)};
-        const auto& motion = std::get<Design<Dim>>(project.design)
-                                 .handles[static_cast<std::size_t>(handle)]
+        const auto& motion = project.design.handles[static_cast<std::size_t>(handle)]
                                  .motions[static_cast<std::size_t>(between.at(0).motion)];
         from = motion.start, to = motion.end;
-        next.design = withProgress<Dim>(std::get<Design<Dim>>(project.design), between, progress, starts);
+        next.design = withProgress(project.design, between, progress, starts);
     }
     if (what == 4) {
-        auto motions = std::get<Design<Dim>>(project.design).handles[handle].motions;
+        auto motions = project.design.handles[handle].motions;
         const int motion = upTo(static_cast<int>(motions.size()));
         from = motions[static_cast<std::size_t>(motion)].start,
         to = motions[static_cast<std::size_t>(motion)].end;
@@ -392,30 +396,31 @@ void TestKeys::randomEditsKeepTheRest() {
         Document document;
         OpenedFile file;
         Project first = film<Dim>();
-        Recorded<Dim> stroke;
+        Recorded<3> stroke;
         for (int k = 0; k < 9; ++k) {
             stroke.times.push_back(k);
-            stroke.points.push_back(Vec<Dim>::Constant(std::sin(k)));
+            stroke.points.push_back(inSpace(Vec<Dim>(Vec<Dim>::Constant(std::sin(k)))));
         }
         motionsOf<Dim>(first, 2) = {{stroke, 0.5, 3}};
-        CurveMotion<Dim> path;
-        for (int k = 0; k < 7; ++k) path.points.push_back(Vec<Dim>::Constant(std::cos(3 * k)));
+        CurveMotion<3> path;
+        for (int k = 0; k < 7; ++k)
+            path.points.push_back(inSpace(Vec<Dim>(Vec<Dim>::Constant(std::cos(3 * k)))));
         motionsOf<Dim>(first, 2).push_back({path, 3.5, 4.5});
-        CurveMotion<Dim> grows;
-        grows.points.assign(4, Vec<Dim>::Constant(3));
+        CurveMotion<3> grows;
+        grows.points.assign(4, inSpace(Vec<Dim>(Vec<Dim>::Constant(3))));
         grows.scale = 1.5;
-        FieldMotion<Dim> field;
-        field.values = std::make_shared<const Displacements<Dim>>(
-            Displacements<Dim>{{3, Vec<Dim>::Unit(0)}, {7, Vec<Dim>::Unit(1)}});
+        FieldMotion<3> field;
+        field.values = std::make_shared<const Displacements<3>>(
+            Displacements<3>{{3, Vec3::Unit(0)}, {7, Vec3::Unit(1)}});
         motionsOf<Dim>(first, 1).push_back({grows, 3, 5, Ease::InOut});
         motionsOf<Dim>(first, 1).push_back({field, 5.5, 7, Ease::Out});
         file.project = std::make_shared<const Project>(first);
         document.open(std::move(file));
         const std::string text = toJson(*document.project());
         int changes = 0;
-        for (int round = 0; round < 3000; ++round) {
+        for (int round = 0; round < 3600; ++round) {
             const Project before = *document.project();
-            const int count = static_cast<int>(std::get<Design<Dim>>(before.design).handles.size());
+            const int count = static_cast<int>(before.design.handles.size());
             int handle = static_cast<int>(random() % static_cast<unsigned>(count));
             double from = 0, to = 0;
             Project after = randomEdit<Dim>(before, handle, random, from, to);
@@ -431,7 +436,7 @@ void TestKeys::randomEditsKeepTheRest() {
                 const double right = high == times.end() ? 1e9 : *high;
                 for (const auto& motion : old) {
                     if (h == handle && motion.end > left && motion.start < right) continue;
-                    const auto same = std::ranges::find(now, motion.start, &Motion<Dim>::start);
+                    const auto same = std::ranges::find(now, motion.start, &PinMotion::start);
                     QVERIFY(same != now.end() && sameBits<Dim>(*same, motion));
                 }
                 for (const double time : times)

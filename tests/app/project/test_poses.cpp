@@ -37,20 +37,20 @@ class TestPoses : public QObject {
 namespace {
 
 template <int Dim>
-Handle<Dim> pin(const std::string& name) {
-    Handle<Dim> handle;
+Pin pin(const std::string& name) {
+    Pin handle;
     handle.name = name;
-    handle.at = std::vector<Vec<Dim>>{Vec<Dim>::Zero()};
+    handle.at = std::vector<Vec3>{Vec3::Zero()};
     return handle;
 }
 
 /// One that moves from 0 to 1 s and from 2 to 3 s in a film of 4 s, and one that does not move.
 template <int Dim>
 Project film() {
-    Design<Dim> design;
+    Design design;
     design.handles = {pin<Dim>("A"), pin<Dim>("B")};
-    design.handles[0].motions = {{Translate<Dim>{Vec<Dim>::Unit(0)}, 0, 1},
-                                 {Translate<Dim>{2 * Vec<Dim>::Unit(1)}, 2, 3}};
+    design.handles[0].motions = {{Translate<3>{Vec3::Unit(0)}, 0, 1},
+                                 {Translate<3>{2 * Vec3::Unit(1)}, 2, 3}};
     Project project;
     project.end = 4;
     project.design = design;
@@ -59,61 +59,61 @@ Project film() {
 
 /// The place of a handle's point that rests at the origin.
 template <int Dim>
-Vec<Dim> placeAt(const Project& project, int handle, double time) {
-    const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[handle]);
-    return timeline.bodyAt(time, Side::Before).position(Vec<Dim>::Zero());
+Vec3 placeAt(const Project& project, int handle, double time) {
+    const HandleTimeline<3> timeline(project.design.handles[handle]);
+    return timeline.bodyAt(time, Side::Before).position(Vec3::Zero());
 }
 
 template <int Dim>
-std::optional<Project> posed(const Project& project, int handle, double time, const Vec<Dim>& by) {
+std::optional<Project> posed(const Project& project, int handle, double time, const Vec3& by) {
     Gesture gesture;
     gesture.handles = {handle};
-    gesture.path = {Amount::Zero(), amountOf<Dim>(by)};
+    gesture.path = {Amount::Zero(), (by)};
     gesture.from = time;
-    return withPose<Dim>(project, gesture, {placeAt<Dim>(project, handle, time)});
+    return withPose(project, gesture, {placeAt<Dim>(project, handle, time)});
 }
 
 }  // namespace
 
 void TestPoses::leadsThroughTheNewPose() {
     const Project before = film<2>();
-    const auto after = posed<2>(before, 0, 2.5, {3, 0});
+    const auto after = posed<2>(before, 0, 2.5, {3, 0, 0});
     QVERIFY(after);
-    QCOMPARE(std::get<Design<2>>(after->design).handles[0].motions.size(), 3U);
+    QCOMPARE(after->design.handles[0].motions.size(), 3U);
     QCOMPARE(after->end, 4.0);
     for (const double time : {0.0, 0.3, 1.0, 1.7, 2.0, 3.0, 3.5})
         QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(*after, 0, 2.5) - Vec<2>(4, 1)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(*after, 0, 2.25) - Vec<2>(2.5, 0.5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.5) - Vec3(4, 1, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 2.25) - Vec3(2.5, 0.5, 0)).norm() < 1e-14);
 }
 
 void TestPoses::movesAKeyPose() {
     const Project before = film<2>();
-    const auto after = posed<2>(before, 0, 1, {0, 5});  // it holds there until 2
+    const auto after = posed<2>(before, 0, 1, {0, 5, 0});  // it holds there until 2
     QVERIFY(after);
-    QVERIFY((placeAt<2>(*after, 0, 1) - Vec<2>(1, 5)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(*after, 0, 0.5) - Vec<2>(0.5, 2.5)).norm() < 1e-14);
-    QVERIFY((placeAt<2>(*after, 0, 1.5) - Vec<2>(1, 2.5)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 1) - Vec3(1, 5, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 0.5) - Vec3(0.5, 2.5, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 0, 1.5) - Vec3(1, 2.5, 0)).norm() < 1e-14);
     for (const double time : {0.0, 2.0, 2.5, 3.0, 4.0})
         QVERIFY((placeAt<2>(*after, 0, time) - placeAt<2>(before, 0, time)).norm() < 1e-14);
-    const auto last = posed<2>(before, 0, 3, {7, 0});
+    const auto last = posed<2>(before, 0, 3, {7, 0, 0});
     QVERIFY(last);
-    QCOMPARE(std::get<Design<2>>(last->design).handles[0].motions.size(), 2U);
-    QVERIFY((placeAt<2>(*last, 0, 4) - Vec<2>(8, 2)).norm() < 1e-14);
+    QCOMPARE(last->design.handles[0].motions.size(), 2U);
+    QVERIFY((placeAt<2>(*last, 0, 4) - Vec3(8, 2, 0)).norm() < 1e-14);
 }
 
 void TestPoses::comesFromWhereItHeld() {
-    const auto after = posed<2>(film<2>(), 1, 1.5, {6, 0});
+    const auto after = posed<2>(film<2>(), 1, 1.5, {6, 0, 0});
     QVERIFY(after);
-    QVERIFY((placeAt<2>(*after, 1, 0.75) - Vec<2>(3, 0)).norm() < 1e-14);
+    QVERIFY((placeAt<2>(*after, 1, 0.75) - Vec3(3, 0, 0)).norm() < 1e-14);
     for (const double time : {1.5, 2.0, 4.0})
-        QVERIFY((placeAt<2>(*after, 1, time) - Vec<2>(6, 0)).norm() < 1e-14);
+        QVERIFY((placeAt<2>(*after, 1, time) - Vec3(6, 0, 0)).norm() < 1e-14);
 }
 
 /// Nothing can be posed before a handle acts: that is the shape at rest.
 void TestPoses::startsAtRest() {
-    QVERIFY(!posed<2>(film<2>(), 0, 0, {1, 0}));
-    QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0}));
+    QVERIFY(!posed<2>(film<2>(), 0, 0, {1, 0, 0}));
+    QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0, 0}));
 }
 
 void TestPoses::pathsAreSplitExactly_data() {
@@ -143,27 +143,26 @@ void TestPoses::pathsAreSplitExactly() {
         constexpr int Dim = decltype(dim)::value;
         std::mt19937 random(7);
         std::uniform_real_distribution<double> any(-5, 5);
-        CurveMotion<Dim> curve;
+        CurveMotion<3> curve;
         curve.interpolation = static_cast<Interpolation>(interpolation);
         for (int k = 0; k < (curve.interpolation == Interpolation::Bezier ? 13 : 7); ++k) {
-            Vec<Dim> point;
+            Vec3 point = Vec3::Zero();
             for (int i = 0; i < Dim; ++i) point[i] = any(random);
-            curve.points.push_back(k == 0 ? Vec<Dim>(Vec<Dim>::Zero()) : point);
+            curve.points.push_back(k == 0 ? Vec3(Vec3::Zero()) : point);
         }
         Project before = film<Dim>();
-        std::get<Design<Dim>>(before.design).handles[0].motions = {
-            {curve, 0.5, 3.5, static_cast<Ease>(easing)}};
-        const Vec<Dim> by = 2 * Vec<Dim>::Unit(0) - Vec<Dim>::Unit(1);
+        before.design.handles[0].motions = {{curve, 0.5, 3.5, static_cast<Ease>(easing)}};
+        const Vec3 by = 2 * Vec3::Unit(0) - Vec3::Unit(1);
         const double time = easing == int(Ease::In) ? 2.3 : 1.7;  // not too near a joint
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
-        QCOMPARE(int(std::get<Design<Dim>>(after->design).handles[0].motions.size()), motions);
+        QCOMPARE(int(after->design.handles[0].motions.size()), motions);
         double worst = 0;
         for (int k = 0; k <= 400; ++k) {
             const double t = 4 * k / 400.0;
             const double factor =
                 std::clamp(std::min((t - 0.5) / (time - 0.5), (3.5 - t) / (3.5 - time)), 0.0, 1.0);
-            const Vec<Dim> wanted = placeAt<Dim>(before, 0, t) + factor * by;
+            const Vec3 wanted = placeAt<Dim>(before, 0, t) + factor * by;
             worst = std::max(worst, (placeAt<Dim>(*after, 0, t) - wanted).norm());
         }
         QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
@@ -195,19 +194,19 @@ void TestPoses::scalingsAndFieldsAreSplitExactly() {
         std::mt19937 random(11);
         std::uniform_real_distribution<double> any(-2, 2);
         const auto anyPoint = [&] {
-            Vec<Dim> point;
+            Vec3 point = Vec3::Zero();
             for (int i = 0; i < Dim; ++i) point[i] = any(random);
             return point;
         };
         Project before = film<Dim>();
-        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
-        const Vec<Dim> own = anyPoint();
+        auto& motion = before.design.handles[0].motions[1];  // from 2 to 3
+        const Vec3 own = anyPoint();
         if (kind < 0) {
-            FieldMotion<Dim> field;
-            field.values = std::make_shared<const Displacements<Dim>>(Displacements<Dim>{{7, own}});
+            FieldMotion<3> field;
+            field.values = std::make_shared<const Displacements<3>>(Displacements<3>{{7, own}});
             motion.kind = field;
         } else {
-            CurveMotion<Dim> grows;
+            CurveMotion<3> grows;
             grows.scale = 0.3;
             grows.interpolation = kind == 0 ? Interpolation::Spline : Interpolation::Bezier;
             for (int k = 0; k < (kind == 0 ? 5 : 3 * kind + 1); ++k)
@@ -215,27 +214,27 @@ void TestPoses::scalingsAndFieldsAreSplitExactly() {
             motion.kind = grows;
         }
         const double time = 2.4;
-        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const Vec3 by = 0.5 * Vec3::Unit(0) - 0.7 * Vec3::Unit(1);
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
-        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {  // of vertex 7
-            Vec<Dim> place = p;
-            for (const auto& one : std::get<Design<Dim>>(project.design).handles[0].motions) {
-                const auto map = Trajectory<Dim>(one).at(t, Side::Before);
+        const auto at = [&](const Project& project, double t, const Vec3& p) {  // of vertex 7
+            Vec3 place = p;
+            for (const auto& one : project.design.handles[0].motions) {
+                const auto map = Trajectory<3>(one).at(t, Side::Before);
                 place = map.position(place);
-                if (const auto* field = std::get_if<FieldMotion<Dim>>(&one.kind))
+                if (const auto* field = std::get_if<FieldMotion<3>>(&one.kind))
                     place += map.share * field->values->front().second;
             }
             return place;
         };
-        const auto isBeside = [&](const Project& project, const Vec<Dim>& displacement) {
+        const auto isBeside = [&](const Project& project, const Vec3& displacement) {
             double worst = 0;
             for (int k = 0; k <= 80; ++k) {
                 const double t = k / 20.0;
                 const double factor =
                     std::clamp(std::min((t - 2) / (time - 2), (3 - t) / (3 - time)), 0.0, 1.0);
                 for (int i = 0; i < Dim; ++i) {
-                    const Vec<Dim> p = Vec<Dim>::Unit(i);
+                    const Vec3 p = Vec3::Unit(i);
                     worst = std::max(worst,
                                      (at(project, t, p) - at(before, t, p) - factor * displacement).norm());
                 }
@@ -246,8 +245,8 @@ void TestPoses::scalingsAndFieldsAreSplitExactly() {
         if (kind > 1 || kind == 0) return;
         Project removed = *after;
         removed.design = withoutKeys(after->design, {{0, time}});
-        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
-        QVERIFY(isBeside(removed, Vec<Dim>::Zero()));
+        QCOMPARE(removed.design.handles[0].motions.size(), std::size_t(2));
+        QVERIFY(isBeside(removed, Vec3::Zero()));
     };
     if (dimension == 2)
         check(std::integral_constant<int, 2>());
@@ -270,26 +269,26 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
     QFETCH(int, easing);
     QFETCH(bool, isField);
     constexpr double kTime = 2.4, kOff = 0.08;  // of the way
-    const Vec<2> own(3, -1), by(0.5, -0.7), centre(-2, 5);
+    const Vec3 own(3, -1, 0), by(0.5, -0.7, 0), centre(-2, 5, 0);
     Project before = film<2>();
-    auto& motion = std::get<Design<2>>(before.design).handles[0].motions[1];  // from 2 to 3
+    auto& motion = before.design.handles[0].motions[1];  // from 2 to 3
     motion.ease = static_cast<Ease>(easing);
     if (isField) {
-        FieldMotion<2> field;
-        field.values = std::make_shared<const Displacements<2>>(Displacements<2>{{7, own}});
+        FieldMotion<3> field;
+        field.values = std::make_shared<const Displacements<3>>(Displacements<3>{{7, own}});
         motion.kind = field;
     } else {
-        CurveMotion<2> grows;
+        CurveMotion<3> grows;
         grows.points.assign(4, centre);
         grows.scale = 2;
         motion.kind = grows;
     }
     const auto at = [](const Project& project, double t) {  // of vertex 7
-        Vec<2> place(1, 0);
-        for (const auto& one : std::get<Design<2>>(project.design).handles[0].motions) {
-            const auto map = Trajectory<2>(one).at(t, Side::Before);
+        Vec3 place(1, 0, 0);
+        for (const auto& one : project.design.handles[0].motions) {
+            const auto map = Trajectory<3>(one).at(t, Side::Before);
             place = map.position(place);
-            if (const auto* field = std::get_if<FieldMotion<2>>(&one.kind))
+            if (const auto* field = std::get_if<FieldMotion<3>>(&one.kind))
                 place += map.share * field->values->front().second;
         }
         return place;
@@ -314,7 +313,7 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
     }
     Project removed = *after;
     removed.design = withoutKeys(after->design, {{0, kTime}});
-    QCOMPARE(std::get<Design<2>>(removed.design).handles[0].motions.size(), std::size_t(2));
+    QCOMPARE(removed.design.handles[0].motions.size(), std::size_t(2));
     if (easing != int(Ease::InOut)) return;  // the only one that both ends tell
     for (int k = 0; k <= 80; ++k) QVERIFY((at(removed, k / 20.0) - at(before, k / 20.0)).norm() < 1e-12);
 }
@@ -335,31 +334,31 @@ void TestPoses::evenRotationsStayRotations() {
     const auto check = [&](auto dim) {
         constexpr int Dim = decltype(dim)::value;
         Project before = film<Dim>();
-        Rotate<Dim> turn;
-        turn.centre = 3 * Vec<Dim>::Unit(1);
-        turn.axis = Vec<Dim>::Unit(Dim - 1) * (Dim == 3 ? 2 : 0);
+        Rotate<3> turn;
+        turn.centre = 3 * Vec3::Unit(1);
+        turn.axis = 2 * Vec3::UnitZ();
         turn.angle = 2.5;
-        std::get<Design<Dim>>(before.design).handles[0].motions[1].kind = turn;  // from 2 to 3
+        before.design.handles[0].motions[1].kind = turn;  // from 2 to 3
         const double time = 2.4;
-        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1) +
-                            (isAcross ? 0 : 0.4) * Vec<Dim>::Unit(Dim - 1);
+        const Vec3 by =
+            0.5 * Vec3::Unit(0) - 0.7 * Vec3::Unit(1) + (isAcross ? 0 : 0.4) * Vec3::Unit(Dim - 1);
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
-        const auto& motions = std::get<Design<Dim>>(after->design).handles[0].motions;
+        const auto& motions = after->design.handles[0].motions;
         QCOMPARE(int(motions.size()), 3);
-        QCOMPARE(std::holds_alternative<Rotate<Dim>>(motions[1].kind), isAcross);
-        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
-            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+        QCOMPARE(std::holds_alternative<Rotate<3>>(motions[1].kind), isAcross);
+        const auto at = [&](const Project& project, double t, const Vec3& p) {
+            const HandleTimeline<3> timeline(project.design.handles[0]);
             return timeline.bodyAt(t, Side::Before).position(p);
         };
         Project removed = *after;
         removed.design = withoutKeys(after->design, {{0, time}});
-        QCOMPARE(std::get<Design<Dim>>(removed.design).handles[0].motions.size(), std::size_t(2));
+        QCOMPARE(removed.design.handles[0].motions.size(), std::size_t(2));
         for (int k = 0; k <= 80; ++k) {
             const double t = k / 20.0;
-            const Vec<Dim> zero = Vec<Dim>::Zero(), off = at(*after, t, zero) - at(before, t, zero);
+            const Vec3 zero = Vec3::Zero(), off = at(*after, t, zero) - at(before, t, zero);
             for (int i = 0; i < Dim; ++i) {
-                const Vec<Dim> p = Vec<Dim>::Unit(i);
+                const Vec3 p = Vec3::Unit(i);
                 QVERIFY((at(*after, t, p) - at(before, t, p) - off).norm() < 1e-12);  // the same rotation
                 QVERIFY((at(removed, t, p) - at(before, t, p)).norm() < 1e-12);
             }
@@ -392,29 +391,29 @@ void TestPoses::rotationsAreKept() {
     const auto check = [&](auto dim) {
         constexpr int Dim = decltype(dim)::value;
         Project before = film<Dim>();
-        auto& motion = std::get<Design<Dim>>(before.design).handles[0].motions[1];  // from 2 to 3
+        auto& motion = before.design.handles[0].motions[1];  // from 2 to 3
         if (kind == 1) {
-            CurveMotion<Dim> curve;
+            CurveMotion<3> curve;
             curve.frame = FrameKind::Minimal;
             for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {3.0, 2.0}, {2.0, 4.0}})
-                curve.points.push_back(x * Vec<Dim>::Unit(0) + y * Vec<Dim>::Unit(Dim - 1));
+                curve.points.push_back(x * Vec3::Unit(0) + y * Vec3::Unit(Dim - 1));
             motion.kind = curve;
         } else {
-            Rotate<Dim> turn;
-            turn.centre = 3 * Vec<Dim>::Unit(1);
-            turn.axis = Vec<Dim>::Constant(1).normalized();
+            Rotate<3> turn;
+            turn.centre = 3 * Vec3::Unit(1);
+            turn.axis = Dim == 2 ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::Constant(1).normalized());
             turn.angle = 4;  // more than half a turn
             motion.kind = turn;
         }
         motion.ease = Ease::InOut;
         const double time = kind == 2 ? 3 : 2.4;
-        const Vec<Dim> by = 0.5 * Vec<Dim>::Unit(0) - 0.7 * Vec<Dim>::Unit(1);
+        const Vec3 by = 0.5 * Vec3::Unit(0) - 0.7 * Vec3::Unit(1);
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
-        const auto& handle = std::get<Design<Dim>>(after->design).handles[0];
+        const auto& handle = after->design.handles[0];
         QCOMPARE(int(handle.motions.size()), kind == 2 ? 2 : 3);
-        const auto at = [&](const Project& project, double t, const Vec<Dim>& p) {
-            const HandleTimeline<Dim> timeline(std::get<Design<Dim>>(project.design).handles[0]);
+        const auto at = [&](const Project& project, double t, const Vec3& p) {
+            const HandleTimeline<3> timeline(project.design.handles[0]);
             return timeline.bodyAt(t, Side::Before).position(p);
         };
         double worst = 0;
@@ -423,7 +422,7 @@ void TestPoses::rotationsAreKept() {
             const double rises = (t - 2) / (time - 2), falls = kind == 2 ? 1 : (3 - t) / (3 - time);
             const double factor = std::clamp(std::min(rises, falls), 0.0, 1.0);
             for (int i = 0; i < Dim; ++i) {
-                const Vec<Dim> p = Vec<Dim>::Unit(i), off = at(*after, t, p) - at(before, t, p) - factor * by;
+                const Vec3 p = Vec3::Unit(i), off = at(*after, t, p) - at(before, t, p) - factor * by;
                 worst = std::max(worst, off.norm());
                 if (t <= 2 || (t >= 3 && kind != 2) || t == time) QVERIFY(off.norm() < 1e-9);
             }
@@ -445,10 +444,10 @@ void TestPoses::longerFilmKeepsItsTimes() {
     gesture.handles = {1};
     gesture.path = {Amount::Zero(), Amount(1, 0, 0), Amount(1, 3, 0)};
     gesture.from = 4;
-    const Project after = withPoseAppended<2>(before, gesture, {Vec<2>::Zero()});
+    const Project after = withPoseAppended(before, gesture, {Vec3::Zero()});
     QCOMPARE(after.end, 5.0);
-    QVERIFY(placeAt<2>(after, 1, 5) == Vec<2>(1, 3));
-    QVERIFY((placeAt<2>(after, 1, 4.25) - Vec<2>(1, 0)).norm() < 1e-14);
+    QVERIFY(placeAt<2>(after, 1, 5) == Vec3(1, 3, 0));
+    QVERIFY((placeAt<2>(after, 1, 4.25) - Vec3(1, 0, 0)).norm() < 1e-14);
     for (double time = 0; time <= 4; time += 0.125) {
         QVERIFY(placeAt<2>(after, 0, time) == placeAt<2>(before, 0, time));
         QVERIFY(placeAt<2>(after, 1, time) == placeAt<2>(before, 1, time));
@@ -473,32 +472,32 @@ void TestPoses::randomPosesKeepTheRest() {
             return std::uniform_real_distribution<double>(low, high)(random);
         };
         const auto vector = [&] {
-            Vec<Dim> v;
+            Vec3 v = Vec3::Zero();
             for (int k = 0; k < Dim; ++k) v[k] = uniform(-5, 5);
             return v;
         };
         int done = 0;
         Project project = film<Dim>();
         for (int round = 0; round < 1000; ++round) {
-            auto& handles = std::get<Design<Dim>>(project.design).handles;
+            auto& handles = project.design.handles;
             if (round % 50 == 0) {  // others of each kind
                 project = film<Dim>();
-                auto& motions = std::get<Design<Dim>>(project.design).handles[0].motions;
+                auto& motions = project.design.handles[0].motions;
                 motions[1].ease = static_cast<Ease>(round / 50 % 4);
-                CurveMotion<Dim> curve;
+                CurveMotion<3> curve;
                 const bool isSpline = round / 50 % 3 == 1;
                 if (isSpline) curve.interpolation = Interpolation::Spline;
                 const int points = isSpline ? 6 : round / 50 % 3 == 0 ? 4 : 10;
                 for (int k = 0; k < points; ++k) curve.points.push_back(vector());
-                std::get<Design<Dim>>(project.design).handles[1].motions = {{curve, 0.5, 3}};
-                Recorded<Dim> stroke;
+                project.design.handles[1].motions = {{curve, 0.5, 3}};
+                Recorded<3> stroke;
                 for (int k = 0; k < 6; ++k) stroke.times.push_back(k), stroke.points.push_back(vector());
                 if (round % 100 == 0) motions[0].kind = stroke;
                 continue;
             }
             const int handle = static_cast<int>(uniform(0, 2));
             const double time = uniform(0, 4);
-            const Vec<Dim> by = vector();
+            const Vec3 by = vector();
             const auto next = posed<Dim>(project, handle, time, by);
             if (!next) continue;
             ++done;
@@ -513,7 +512,7 @@ void TestPoses::randomPosesKeepTheRest() {
                     if (t < key) before = std::max(before, t);
                     if (t > key) after = std::min(after, t);
                 }
-            const Vec<Dim> wanted = placeAt<Dim>(project, handle, key) + by;
+            const Vec3 wanted = placeAt<Dim>(project, handle, key) + by;
             QVERIFY((placeAt<Dim>(*next, handle, key) - wanted).norm() < 1e-9);
             for (double t = 0; t <= 4; t += 0.25) {
                 QVERIFY(placeAt<Dim>(*next, 1 - handle, t) == placeAt<Dim>(project, 1 - handle, t));

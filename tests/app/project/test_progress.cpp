@@ -38,12 +38,12 @@ namespace {
 using Film = std::shared_ptr<Project>;
 
 /// A pin that moves from 0 to 1 and from 1 to 3 s.
-Film film(std::vector<Motion<2>> motions) {
-    Handle<2> handle;
+Film film(std::vector<PinMotion> motions) {
+    Pin handle;
     handle.name = "A";
-    handle.at = std::vector<Vec<2>>{Vec<2>(10, 20)};
+    handle.at = std::vector<Vec3>{Vec3(10, 20, 0)};
     handle.motions = std::move(motions);
-    Design<2> design;
+    Design design;
     design.handles = {handle};
     auto project = newProject();
     endOf(*project) = 5;
@@ -52,36 +52,36 @@ Film film(std::vector<Motion<2>> motions) {
     return project;
 }
 
-Handle<2>& handleOf(const Film& project) {
-    return designOf<2>(*project).handles[0];
+Pin& handleOf(const Film& project) {
+    return designOf(*project).handles[0];
 }
 
 /// Where the pin is, as wend run has it.
-Vec<2> placeAt(const Film& project, double time) {
-    return HandleTimeline<2>(handleOf(project)).bodyAt(time, Side::Before).position(Vec<2>(10, 20));
+Vec3 placeAt(const Film& project, double time) {
+    return HandleTimeline<3>(handleOf(project)).bodyAt(time, Side::Before).position(Vec3(10, 20, 0));
 }
 
 Film eased(const Film& before, const std::vector<MotionId>& motions, const Progress& progress) {
     const Film project = copyOf(*before);
-    designOf(*project) = withProgress<2>(designOf<2>(*before), motions, progress, {Vec<2>(10, 20)});
+    designOf(*project) = withProgress(designOf(*before), motions, progress, {Vec3(10, 20, 0)});
     return project;
 }
 
-Recorded<2> scrawl() {
-    Recorded<2> stroke;
+Recorded<3> scrawl() {
+    Recorded<3> stroke;
     for (int i = 0; i <= 40; ++i) {
         const double s = i / 40.0;
         stroke.times.push_back(s * s);
-        stroke.points.emplace_back(100 * s, 30 * std::sin(6 * s));
+        stroke.points.emplace_back(100 * s, 30 * std::sin(6 * s), 0);
     }
     return stroke;
 }
 
 /// The distance of a point from a line through points.
-double offLine(const std::vector<Vec<2>>& line, const Vec<2>& p) {
+double offLine(const std::vector<Vec3>& line, const Vec3& p) {
     double best = 1e9;
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const Vec<2> along = line[i] - line[i - 1];
+        const Vec3 along = line[i] - line[i - 1];
         const double s = std::clamp((p - line[i - 1]).dot(along) / along.squaredNorm(), 0.0, 1.0);
         best = std::min(best, (line[i - 1] + s * along - p).norm());
     }
@@ -103,39 +103,39 @@ void TestProgress::easingsAreCurves() {
 
 /// Also one that goes beyond its end and comes back.
 void TestProgress::straightMovesFollowTheCurve() {
-    const Vec<2> first(30, 0), by(12, -16);
+    const Vec3 first(30, 0, 0), by(12, -16, 0);
     for (const Progress progress :
          {Progress{0.1, 0.7}, Progress{-0.3, 1.6}, Progress{0, 0}, Progress{1, 0}}) {
-        const Film after = eased(film({{Translate<2>{first}, 0, 1}, {Translate<2>{by}, 1, 3, Ease::In}}),
+        const Film after = eased(film({{Translate<3>{first}, 0, 1}, {Translate<3>{by}, 1, 3, Ease::In}}),
                                  {{0, 1}}, progress);
         for (double s = 0; s <= 1; s += 0.0625) {
             const double p = 3 * s * (1 - s) * (1 - s) * progress.first +
                              3 * s * s * (1 - s) * progress.second + s * s * s;
-            QVERIFY((placeAt(after, 1 + 2 * s) - (Vec<2>(10, 20) + first + p * by)).norm() < 1e-12);
+            QVERIFY((placeAt(after, 1 + 2 * s) - (Vec3(10, 20, 0) + first + p * by)).norm() < 1e-12);
         }
-        QVERIFY((placeAt(after, 0.5) - Vec<2>(25, 20)).norm() < 1e-12);
+        QVERIFY((placeAt(after, 0.5) - Vec3(25, 20, 0)).norm() < 1e-12);
     }
 }
 
 void TestProgress::presetsAreEasings() {
-    Film project = film({{Translate<2>{{30, 0}}, 0, 1}});
+    Film project = film({{Translate<3>{{30, 0, 0}}, 0, 1}});
     project = eased(project, {{0, 0}}, {0.2, 0.9});
-    QVERIFY(std::holds_alternative<CurveMotion<2>>(handleOf(project).motions[0].kind));
+    QVERIFY(std::holds_alternative<CurveMotion<3>>(handleOf(project).motions[0].kind));
     for (const Ease kind : {Ease::InOut, Ease::Linear}) {
         project = eased(project, {{0, 0}}, progressOf(kind));
-        QVERIFY(std::holds_alternative<Translate<2>>(handleOf(project).motions[0].kind));
+        QVERIFY(std::holds_alternative<Translate<3>>(handleOf(project).motions[0].kind));
         QCOMPARE(handleOf(project).motions[0].ease, kind);
-        QVERIFY((std::get<Translate<2>>(handleOf(project).motions[0].kind).by - Vec<2>(30, 0)).norm() <
+        QVERIFY((std::get<Translate<3>>(handleOf(project).motions[0].kind).by - Vec3(30, 0, 0)).norm() <
                 1e-13);
     }
     project = eased(project, {{0, 0}}, {0.2, 0.9});
     designOf(*project) = withMotionEase(designOf(*project), {{0, 0}}, Ease::Out);  // the menu's
-    QVERIFY(std::holds_alternative<Translate<2>>(handleOf(project).motions[0].kind));
+    QVERIFY(std::holds_alternative<Translate<3>>(handleOf(project).motions[0].kind));
 }
 
 /// No other kind of motion is needed: the text has a Bézier curve on the line of the move.
 void TestProgress::theFileHoldsTheCurve() {
-    const Film project = eased(film({{Translate<2>{{30, 0}}, 0, 1}}), {{0, 0}}, {0.2, 0.9});
+    const Film project = eased(film({{Translate<3>{{30, 0, 0}}, 0, 1}}), {{0, 0}}, {0.2, 0.9});
     const std::string text = toJson(*project);
     QVERIFY(text.find("\"kind\": \"curve\"") != std::string::npos);
     QVERIFY(text.find("\"points\": [[10, 20], [16, 20], [37, 20], [40, 20]]") != std::string::npos);
@@ -152,7 +152,7 @@ void TestProgress::curveIsReadBack_data() {
 void TestProgress::curveIsReadBack() {
     QFETCH(double, first);
     QFETCH(double, second);
-    const Film straight = eased(film({{Translate<2>{{30, 7}}, 0, 1}}), {{0, 0}}, {first, second});
+    const Film straight = eased(film({{Translate<3>{{30, 7, 0}}, 0, 1}}), {{0, 0}}, {first, second});
     const ShownProgress shown = shownProgress(designOf(*straight), {0, 0});
     QVERIFY(std::abs(shown.curve.first - first) < 1e-12 && std::abs(shown.curve.second - second) < 1e-12);
     QVERIFY(shown.isFree && shown.way.empty());
@@ -171,7 +171,7 @@ void TestProgress::recordingsKeepTheirPath() {
     std::vector<double> lengths = {0};
     for (std::size_t i = 1; i < line.size(); ++i) lengths.push_back(length += (line[i] - line[i - 1]).norm());
     for (double s = 0; s <= 1; s += 0.03125) {
-        const Vec<2> p = placeAt(after, s) - placeAt(before, 0) + line[0];
+        const Vec3 p = placeAt(after, s) - placeAt(before, 0) + line[0];
         QVERIFY(offLine(line, p) < 1e-9);
         const double share = Progress{0, 0.5}.at(s) * length;  // the point of the line as far along it
         std::size_t i = 1;
@@ -183,7 +183,8 @@ void TestProgress::recordingsKeepTheirPath() {
 }
 
 void TestProgress::rotationsHaveEasingsOnly() {
-    Rotate<2> turn;
+    Rotate<3> turn;
+    turn.axis = Vec3::UnitZ();
     turn.angle = 1;
     const Film before = film({{turn, 0, 1}});
     QVERIFY(!shownProgress(designOf(*before), {0, 0}).isFree);
@@ -194,7 +195,7 @@ void TestProgress::rotationsHaveEasingsOnly() {
 }
 
 void TestProgress::keysEaseTheirSides() {
-    Film project = film({{Translate<2>{{30, 0}}, 0, 1}, {Translate<2>{{0, 30}}, 1, 3}});
+    Film project = film({{Translate<3>{{30, 0, 0}}, 0, 1}, {Translate<3>{{0, 30, 0}}, 1, 3}});
     project = eased(project, {{0, 0}, {0, 1}}, {0.2, 0.9});
     designOf(*project) = withKeyEase(designOf(*project), {{0, 1}}, {true, false});
     const auto own = [&](int motion) { return shownProgress(designOf(*project), {0, motion}).curve; };
@@ -204,20 +205,20 @@ void TestProgress::keysEaseTheirSides() {
     designOf(*project) = withKeyEase(designOf(*project), {{0, 1}}, {true, true});
     QVERIFY(std::abs(own(1).first) < 1e-12 && std::abs(own(1).second - 0.9) < 1e-12);
     designOf(*project) = withoutKeys(designOf(*project), {{0, 1}});
-    QVERIFY((placeAt(project, 3) - Vec<2>(40, 50)).norm() < 1e-12);
+    QVERIFY((placeAt(project, 3) - Vec3(40, 50, 0)).norm() < 1e-12);
 }
 
 /// A key at the end of a curve that is moved keeps the curve of the move.
 void TestProgress::posedKeysKeepTheCurve() {
-    Film project = eased(film({{Translate<2>{{30, 0}}, 0, 1}, {Translate<2>{{0, 30}}, 1, 3}}),
+    Film project = eased(film({{Translate<3>{{30, 0, 0}}, 0, 1}, {Translate<3>{{0, 30, 0}}, 1, 3}}),
                          {{0, 0}, {0, 1}}, {0.2, 0.9});
-    QVERIFY(poseAt<2>(handleOf(project), Vec<2>(40, 20), Vec<2>(5, -8), 1));
+    QVERIFY(poseAt(handleOf(project), Vec3(40, 20, 0), Vec3(5, -8, 0), 1));
     for (int motion = 0; motion < 2; ++motion) {
         const Progress curve = shownProgress(designOf(*project), {0, motion}).curve;
         QVERIFY(std::abs(curve.first - 0.2) < 1e-12 && std::abs(curve.second - 0.9) < 1e-12);
     }
-    QVERIFY((placeAt(project, 1) - Vec<2>(45, 12)).norm() < 1e-12);
-    QVERIFY((placeAt(project, 3) - Vec<2>(40, 50)).norm() < 1e-12);
+    QVERIFY((placeAt(project, 1) - Vec3(45, 12, 0)).norm() < 1e-12);
+    QVERIFY((placeAt(project, 3) - Vec3(40, 50, 0)).norm() < 1e-12);
 }
 
 void TestProgress::splitIsExact_data() {
@@ -233,18 +234,19 @@ void TestProgress::splitIsExact_data() {
 /// plus the displacement times a factor that rises linearly to 1 and falls back to 0.
 void TestProgress::splitIsExact() {
     QFETCH(int, kind);
-    Motion<2> motion{Translate<2>{{40, 10}}, 1, 3};
+    PinMotion motion{Translate<3>{{40, 10, 0}}, 1, 3};
     if (kind < 4) motion.ease = static_cast<Ease>(kind);
-    if (kind == 5) motion.kind = CurveMotion<2>{Interpolation::Bezier, {{0, 0}, {9, 30}, {-7, 4}, {40, 10}}};
-    Film before = film({{Translate<2>{{3, 4}}, 0, 1}, motion, {Translate<2>{{0, 30}}, 4, 5}});
+    if (kind == 5)
+        motion.kind = CurveMotion<3>{Interpolation::Bezier, {{0, 0, 0}, {9, 30, 0}, {-7, 4, 0}, {40, 10, 0}}};
+    Film before = film({{Translate<3>{{3, 4, 0}}, 0, 1}, motion, {Translate<3>{{0, 30, 0}}, 4, 5}});
     if (kind == 4) before = eased(before, {{0, 1}}, {0.05, 1.3});
     std::mt19937 random(static_cast<unsigned>(kind));
     std::uniform_real_distribution<double> unit(0, 1);
     for (int round = 0; round < 200; ++round) {
         const double key = 1.1 + 1.8 * unit(random);
-        const Vec<2> by(20 * unit(random) - 10, 20 * unit(random) - 10);
+        const Vec3 by(20 * unit(random) - 10, 20 * unit(random) - 10, 0);
         const Film after = copyOf(*before);
-        QVERIFY(poseAt<2>(handleOf(after), placeAt(before, key), by, key));
+        QVERIFY(poseAt(handleOf(after), placeAt(before, key), by, key));
         QCOMPARE(handleOf(after).motions.size(), std::size_t{4});
         for (double t = 0; t <= 5; t += 0.0625) {
             const double factor = t <= 1 || t >= 3 ? 0 : t < key ? (t - 1) / (key - 1) : (3 - t) / (3 - key);
@@ -254,8 +256,8 @@ void TestProgress::splitIsExact() {
 }
 
 void TestProgress::motionsBetweenKeys() {
-    const Film project =
-        film({{Translate<2>{{3, 4}}, 0, 1}, {Translate<2>{{3, 4}}, 1, 3}, {Translate<2>{{0, 30}}, 4, 5}});
+    const Film project = film(
+        {{Translate<3>{{3, 4, 0}}, 0, 1}, {Translate<3>{{3, 4, 0}}, 1, 3}, {Translate<3>{{0, 30, 0}}, 4, 5}});
     using Ids = std::vector<MotionId>;
     QCOMPARE(motionsBetween(designOf(*project), {{0, 1}, {0, 3}}), (Ids{{0, 1}}));
     QCOMPARE(motionsBetween(designOf(*project), {{0, 0}, {0, 1}, {0, 3}}), (Ids{{0, 0}, {0, 1}}));

@@ -68,8 +68,8 @@ const std::string kFull = projectText(
     "'time': {'end': 2}, "
     "'integration': {'method': 'rk4', 'tolerance': 1e-5, 'steps': 12}");
 
-const Design<2>& planar(const Project& project) {
-    return std::get<Design<2>>(project.design);
+const Design& planar(const Project& project) {
+    return project.design;
 }
 
 QString reasonFor(const std::string& text) {
@@ -143,9 +143,8 @@ static Project projectWith(const Option& setting) {
                 if (isFor(setting, project)) continue;
                 project.domain.kind = kind;
                 project.domain.outline = outline;
-                project.design.emplace<Design<2>>();
-                if (kind == DomainKind::Surface) project.design.emplace<Design<3>>();
-                std::visit([&](auto& design) { design.material.smoothing.kind = smoothing; }, project.design);
+                project.design.dimension = kind == DomainKind::Surface ? 3 : 2;
+                project.design.material.smoothing.kind = smoothing;
             }
     if (project.domain.kind == DomainKind::Surface) {  // what these belong to
         project.domain.repair = setting.key.starts_with("domain.repair.");
@@ -231,7 +230,7 @@ class TestProject : public QObject {
         QCOMPARE(material.smoothing.kind, SmoothingKind::Paper);
         QCOMPARE(material.memory, 2.5);
         Project elastic = project;
-        std::get<Design<2>>(elastic.design).material.memory = std::numeric_limits<double>::infinity();
+        elastic.design.material.memory = std::numeric_limits<double>::infinity();
         const std::string text = toJson(elastic);
         QVERIFY(text.find("\"memory\": \"elastic\"") != std::string::npos);
         QVERIFY(std::isinf(planar(*parseProject(text, "p.wend").project).material.memory));
@@ -246,8 +245,8 @@ class TestProject : public QObject {
         QVERIFY(std::isinf(handles[1].activeTo));
         QCOMPARE(handles[2].motions.size(), std::size_t(4));
         QCOMPARE(handles[2].motions[0].ease, Ease::InOut);
-        QCOMPARE(std::get<CurveMotion<2>>(handles[2].motions[2].kind).scale, 1.5);
-        QCOMPARE(std::get<Recorded<2>>(handles[2].motions[3].kind).points[2].y(), 1.000000000000001);
+        QCOMPARE(std::get<CurveMotion<3>>(handles[2].motions[2].kind).scale, 1.5);
+        QCOMPARE(std::get<Recorded<3>>(handles[2].motions[3].kind).points[2].y(), 1.000000000000001);
         QCOMPARE(project.integration.method, Method::RungeKutta4);
         QVERIFY((project.settle == std::vector<SettleWindow>{{0.25, 0.5}, {1.9, 2.7}}));
         QVERIFY(integrationOf(project).settle == project.settle);
@@ -303,7 +302,7 @@ class TestProject : public QObject {
             "{'kind': 'rotate', 'centre': [0, 0, 0], 'axis': [0, 0, 1], 'angle': 3}]}]");
         const Project project = *parseProject(text, "p.wend").project;
         QCOMPARE(project.dimension(), 3);
-        const auto& design = std::get<Design<3>>(project.design);
+        const auto& design = project.design;
         QCOMPARE(design.material.phi, std::numbers::pi - std::atan(0.75));
         QCOMPARE(std::get<Rotate<3>>(design.handles[0].motions[0].kind).axis.z(), 1.0);
         const std::string once = toJson(project);
@@ -345,11 +344,11 @@ class TestProject : public QObject {
             "2}}, 'factor': 2}]}");
         const LoadedProject loaded = parseProject(text, "p.wend");
         QVERIFY(loaded.warnings.empty());
-        const auto& sizes = loaded.project->domain.flatSizes;
+        const auto& sizes = loaded.project->domain.sizes;
         QCOMPARE(sizes.at(0).part, std::string("arm"));
         QVERIFY(sizes.at(1).part.empty());
         const std::string once = toJson(*loaded.project);
-        QVERIFY(parseProject(once, "p.wend").project->domain.flatSizes == sizes);
+        QVERIFY(parseProject(once, "p.wend").project->domain.sizes == sizes);
         QVERIFY(once.find("\"part\": \"arm\"") != std::string::npos);
     }
 
@@ -408,7 +407,7 @@ class TestProject : public QObject {
             return planar(*parseProject(withMaterial("'cells': {'B': " + B + "}"), "p.wend").project)
                 .material.cellB;
         };
-        const std::vector<Mat<2>> expected = read("[[1, 0, 0, 1], [2, 0.5, 0.5, 3]]");
+        const std::vector<Mat<3>> expected = read("[[1, 0, 0, 1], [2, 0.5, 0.5, 3]]");
         QCOMPARE(expected.size(), std::size_t(2));
         QCOMPARE(expected[1](0, 1), 0.5);
         for (const char* other : {"[[1, 1, 0], [2, 3, 0.5]]", "[[[1, 0], [0, 1]], [[2, 0.5], [0.5, 3]]]",
@@ -420,7 +419,7 @@ class TestProject : public QObject {
                          "p.wend");
         Mat<3> B;
         B << 1, 0.1, 0.3, 0.1, 2, 0.2, 0.3, 0.2, 3;
-        QCOMPARE(std::get<Design<3>>(solid.project->design).material.cellB.at(0), B);
+        QCOMPARE(solid.project->design.material.cellB.at(0), B);
         QVERIFY(reasonFor(withMaterial("'cells': {'B': [[1, 0, 0]]}")).contains("is not positive definite"));
         QVERIFY(reasonFor(withMaterial("'cells': {'B': [[1, 0]]}"))
                     .contains("has 2 numbers where a matrix needs 4, or 3"));
@@ -509,7 +508,7 @@ class TestProject : public QObject {
                                        "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),
                           "p.wend")
                  .project;
-        std::get<Design<2>>(project.design).material.regions[0].shape = Box<2>{{0, 0}, {1, 1}};
+        project.design.material.regions[0].shape = Box<3>{{0, 0, 0}, {1, 1, 0}};
         QVERIFY(toJson(project).find("glow") == std::string::npos);
     }
 
@@ -823,13 +822,13 @@ class TestProject : public QObject {
         QTemporaryDir folder;
         const std::string path = folder.filePath("cells.json").toStdString();
         writeTextFile(path, json("{'phi': [0.5, 'conf'], 'B': [[1, 0, 0, 1], [3, 1, 1, 2]]}"));
-        MaterialSpec<2> spec;
-        readCells<2>(path, spec);
+        MaterialSpec spec;
+        readCells(path, spec, 2);
         QCOMPARE(spec.cellPhi.size(), std::size_t(2));
         QCOMPARE(spec.cellPhi[1], phi::conformal(2));
         QCOMPARE(spec.cellB[1](1, 1), 2.0);
         writeTextFile(path, json("{'phi': [0.5, 7]}"));
-        QVERIFY_THROWS_EXCEPTION(InputError, readCells<2>(path, spec));
+        QVERIFY_THROWS_EXCEPTION(InputError, readCells(path, spec, 2));
     }
 
     /// A name is looked up, kept while the handle is where it says, and written as ids where it was moved.
@@ -847,7 +846,7 @@ class TestProject : public QObject {
             return readProject(base + "/p.wend").project;
         };
         auto held = project("{'group': 'right'}");
-        auto& handle = designOf<2>(*held).handles[0];
+        auto& handle = designOf(*held).handles[0];
         QCOMPARE(std::get<std::vector<int>>(handle.at), (std::vector<int>{0, 2, 3}));
         writeProject(base + "/kept.wend", *held);
         QVERIFY(readTextFile(base + "/kept.wend").find("\"group\": \"right\"") != std::string::npos);
@@ -855,7 +854,7 @@ class TestProject : public QObject {
         writeProject(base + "/moved.wend", *held);
         QVERIFY(readTextFile(base + "/moved.wend").find("group") == std::string::npos);
         auto listed = project("{'vertices': 'ids.txt'}");
-        QCOMPARE(std::get<std::vector<int>>(designOf<2>(*listed).handles[0].at), (std::vector<int>{3, 1, 2}));
+        QCOMPARE(std::get<std::vector<int>>(designOf(*listed).handles[0].at), (std::vector<int>{3, 1, 2}));
         fs::create_directory(base + "/deeper");
         writeProject(base + "/deeper/q.wend", *listed, base);
         QVERIFY(readTextFile(base + "/deeper/q.wend").find("../ids.txt") != std::string::npos);

@@ -59,7 +59,7 @@ void TestRecovery::init() {
 }
 
 void TestRecovery::addPin() {
-    test::addPin(*m_document, {1, 2}, freeName(namesOf(m_document->design<2>().handles), "Pin"));
+    test::addPin(*m_document, {1, 2}, freeName(namesOf(m_document->design().handles), "Pin"));
 }
 
 void TestRecovery::addPinAndWait(Recovery& recovery) {
@@ -71,9 +71,9 @@ void TestRecovery::addPinAndWait(Recovery& recovery) {
 void TestRecovery::aChangeIsCopied() {
     Recovery recovery(*m_document, m_folder->path(), 0);
     addPinAndWait(recovery);
-    QCOMPARE(designOf<2>(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(1));
+    QCOMPARE(designOf(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(1));
     addPinAndWait(recovery);
-    QCOMPARE(designOf<2>(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(2));
+    QCOMPARE(designOf(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(2));
 }
 
 /// Unsaved work is nobody else's, in whatever folder the copies were before.

@@ -40,22 +40,22 @@ namespace {
 constexpr double kTick = 1.0 / 60;
 
 template <int Dim>
-Handle<Dim> pin(const std::string& name) {
-    Handle<Dim> handle;
+Pin pin(const std::string& name) {
+    Pin handle;
     handle.name = name;
-    handle.at = std::vector<Vec<Dim>>{Vec<Dim>::Zero()};
+    handle.at = std::vector<Vec3>{Vec3::Zero()};
     return handle;
 }
 
 template <int Dim>
-Motion<Dim> motion(double start, double end) {
-    return {Translate<Dim>{Vec<Dim>::Ones()}, start, end};
+PinMotion motion(double start, double end) {
+    return {Translate<3>{Vec3::Ones()}, start, end};
 }
 
 /// Two pins; the first moves from 0 to 1 and from 2 to 3 in a film of 4 s.
 template <int Dim>
 Project film() {
-    Design<Dim> design;
+    Design design;
     design.handles = {pin<Dim>("A"), pin<Dim>("B")};
     design.handles[0].motions = {motion<Dim>(0, 1), motion<Dim>(2, 3)};
     Project project;
@@ -64,8 +64,8 @@ Project film() {
     return project;
 }
 
-const std::vector<Handle<2>>& handlesOf(const Project& project) {
-    return std::get<Design<2>>(project.design).handles;
+const std::vector<Pin>& handlesOf(const Project& project) {
+    return project.design.handles;
 }
 
 /// Where a timed way is at a time, linear in between.
@@ -138,30 +138,30 @@ void TestTiming::nothingMovedIsNoRecording() {
 void TestTiming::recordingsJoinWhatOthersDo() {
     const Project before = film<2>();
     const Gesture gesture{{1}, {}, {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, 0.5, 1, {0, 1, 1.25}};
-    const Project after = withGesture<2>(before, gesture, {{10, 20}});
+    const Project after = withGesture(before, gesture, {{10, 20, 0}});
     QCOMPARE(after.end, 4.0);
     for (std::size_t i = 0; i < 2; ++i) {
         QCOMPARE(handlesOf(after)[0].motions[i].start, handlesOf(before)[0].motions[i].start);
         QCOMPARE(handlesOf(after)[0].motions[i].end, handlesOf(before)[0].motions[i].end);
     }
     QCOMPARE(handlesOf(after)[1].motions.size(), std::size_t(1));
-    const Trajectory<2> path(handlesOf(after)[1].motions[0]);
+    const Trajectory<3> path(handlesOf(after)[1].motions[0]);
     QCOMPARE(path.start(), 0.5);
     QCOMPARE(path.end(), 1.75);
-    const Vec<2> start(10, 20);
-    QVERIFY((path.at(1.0).position(start) - Vec<2>(12, 20)).norm() < 1e-12);
-    QVERIFY((path.at(1.5).position(start) - Vec<2>(14, 20)).norm() < 1e-12);
-    QVERIFY((path.at(1.625).position(start) - Vec<2>(14, 21.5)).norm() < 1e-12);
+    const Vec3 start(10, 20, 0);
+    QVERIFY((path.at(1.0).position(start) - Vec3(12, 20, 0)).norm() < 1e-12);
+    QVERIFY((path.at(1.5).position(start) - Vec3(14, 20, 0)).norm() < 1e-12);
+    QVERIFY((path.at(1.625).position(start) - Vec3(14, 21.5, 0)).norm() < 1e-12);
 }
 
 /// Of the recorded pin what came later goes; the film becomes longer where it must.
 void TestTiming::recordingsReplaceTheirOwn() {
     const Gesture gesture{{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 2.5, 1, {0, 3}};
-    const Project after = withGesture<2>(film<2>(), gesture, {{0, 0}});
+    const Project after = withGesture(film<2>(), gesture, {{0, 0, 0}});
     const auto& motions = handlesOf(after)[0].motions;
     QCOMPARE(motions.size(), std::size_t(3));
     QCOMPARE(motions[1].end, 2.5);  // cut there
-    QCOMPARE(std::get<Translate<2>>(motions[1].kind).by.x(), 0.5);
+    QCOMPARE(std::get<Translate<3>>(motions[1].kind).by.x(), 0.5);
     QCOMPARE(motions[2].start, 2.5);
     QCOMPARE(motions[2].end, 5.5);
     QCOMPARE(after.end, 5.5);
@@ -169,8 +169,8 @@ void TestTiming::recordingsReplaceTheirOwn() {
 
 void TestTiming::firstRecordingIsTheFilm() {
     Project still = film<2>();
-    std::get<Design<2>>(still.design).handles[0].motions.clear();
-    const Project after = withGesture<2>(still, {{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 0, 1, {0, 0.75}}, {{0, 0}});
+    still.design.handles[0].motions.clear();
+    const Project after = withGesture(still, {{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 0, 1, {0, 0.75}}, {{0, 0, 0}});
     QCOMPARE(after.end, 0.75);
     QCOMPARE(motionEnd(after), 0.75);
 }
@@ -180,8 +180,8 @@ void TestTiming::recordedTurnsRest() {
     Grip turn;
     turn.kind = Grip::Kind::Turn;
     const Gesture gesture{{1}, turn, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0.5, 0, 0}}, 1, 1, {0, 1, 2, 2.5}};
-    const Project after = withGesture<3>(film<3>(), gesture, {Vec<3>::Zero()});
-    const auto& motions = std::get<Design<3>>(after.design).handles[1].motions;
+    const Project after = withGesture(film<3>(), gesture, {Vec3::Zero()});
+    const auto& motions = after.design.handles[1].motions;
     QCOMPARE(motions.size(), std::size_t(2));
     QCOMPARE(motions[0].start, 1.0);
     QCOMPARE(motions[0].end, 2.0);
@@ -222,7 +222,7 @@ void TestTiming::motionsStayBetweenTheirNeighbours() {
 
 void TestTiming::motionsWaitForTheirHandle() {
     Project project = film<2>();
-    auto& handle = std::get<Design<2>>(project.design).handles[0];
+    auto& handle = project.design.handles[0];
     handle.motions.erase(handle.motions.begin());
     handle.activeFrom = 1.5;
     handle.activeTo = 3.5;
@@ -245,7 +245,7 @@ namespace {
 /// Of pins A and B; A moves three times, B once.
 Project busyFilm() {
     Project project = film<2>();
-    auto& handles = std::get<Design<2>>(project.design).handles;
+    auto& handles = project.design.handles;
     handles[0].motions.push_back(motion<2>(3, 4));
     handles[1].motions = {motion<2>(0.5, 2.5)};
     return project;
@@ -309,10 +309,9 @@ void TestTiming::easeAndRemoval() {
     QCOMPARE(handlesOf(one)[0].motions.size(), std::size_t(1));
     QCOMPARE(timeOf(one.design, 0, 0), (MotionTime{2, 3}));
     QCOMPARE(one.end, 4.0);
-    const AnyDesign two = withMotionEase(busyFilm().design, {{0, 0}, {1, 0}}, Ease::In);
-    QVERIFY(std::get<Design<2>>(two).handles[0].motions[0].ease == Ease::In &&
-            std::get<Design<2>>(two).handles[1].motions[0].ease == Ease::In &&
-            std::get<Design<2>>(two).handles[0].motions[1].ease == Ease::Linear);
+    const Design two = withMotionEase(busyFilm().design, {{0, 0}, {1, 0}}, Ease::In);
+    QVERIFY(two.handles[0].motions[0].ease == Ease::In && two.handles[1].motions[0].ease == Ease::In &&
+            two.handles[0].motions[1].ease == Ease::Linear);
     Project left = busyFilm();
     left.design = withoutMotions(left.design, {{0, 0}, {1, 0}, {0, 2}});
     QVERIFY(handlesOf(left)[0].motions.size() == 1 && handlesOf(left)[1].motions.empty());
@@ -333,11 +332,11 @@ void TestTiming::almostTheEndIsTheEnd() {
     QFETCH(std::vector<double>, times);
     Project project = film<2>();
     project.domain.path = "picture.png";
-    auto& handles = std::get<Design<2>>(project.design).handles;
+    auto& handles = project.design.handles;
     handles[0].motions[1].end = handles[1].activeFrom = project.end;
     const double from = std::nextafter(project.end, 0.0);
     const Gesture gesture{{0}, {}, {Amount::Zero(), Amount(0, 5, 0)}, from, 1, times};
-    const Project next = withGesture<2>(project, gesture, {Vec<2>(1, 1)});
+    const Project next = withGesture(project, gesture, {Vec3(1, 1, 0)});
     const auto& motions = handlesOf(next)[0].motions;
     QCOMPARE(motions.size(), std::size_t(3));
     QVERIFY2(motions[1].end == motions[2].start,

@@ -182,7 +182,7 @@ void TestComparison::goTogether() {
     view().join();
     QVERIFY(!view().comparison().isOn());
     const auto changed = copyOf(m_f->project());
-    designOf<Dim>(*changed).material.phi = phi;
+    designOf(*changed).material.phi = phi;
     session.document().change("Energy", changed);
     QVERIFY(settle(session));
     QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
@@ -443,12 +443,12 @@ void TestComparison::takePaintAway() {
     session.template nudgeSelected<Dim>(Bar<Dim>::way());
     QVERIFY(settle(session));
     const Points<Dim> before = session.template frame<Dim>()->pose;
-    MaterialRegion<Dim> stiff;
+    MaterialRegion stiff;
     stiff.name = "Stiff";
-    stiff.shape = HalfSpace<Dim>{Vec<Dim>::Zero(), Vec<Dim>::Unit(1)};
-    stiff.stiffness = Stiffness<Dim>{Vec<Dim>::Unit(0), 300};
+    stiff.shape = HalfSpace<3>{Vec3::Zero(), Vec3::Unit(1)};
+    stiff.stiffness = Stiffness{Vec3::Unit(0), 300};
     const auto project = copyOf(*session.document().project());
-    Design<Dim> design = session.document().template design<Dim>();
+    Design design = session.document().design();
     design.material.regions.push_back(stiff);
     designOf(*project) = design;
     session.document().change(QStringLiteral("paint"), project);

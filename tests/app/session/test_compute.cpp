@@ -138,7 +138,7 @@ void TestCompute::pinsBecomeVertices() {
     QCOMPARE(m_session->pins().size(), std::size_t(1));
     QCOMPARE(m_session->addPin({5, 5}), -1);  // beside the shape
     m_session->removeSelected();
-    QVERIFY(m_session->document().design<2>().handles.empty());
+    QVERIFY(m_session->document().design().handles.empty());
 }
 
 void TestCompute::dragEndsAsTheCommandLineHasIt() {
@@ -187,7 +187,7 @@ void TestCompute::stopsWhileItPrepares() {
     QVERIFY(pass.state().points == straight.state().points);
     // A motion that cannot be is told where it is run, not in the thread that found out.
     auto impossible = copyOf(*second);
-    designOf<2>(*impossible).handles[0].at = std::vector<Vec<2>>{{-500, -500}};
+    designOf(*impossible).handles[0].at = std::vector<Vec3>{{-500, -500, 0}};
     pass.set(shape, impossible);
     QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
 }
@@ -202,21 +202,21 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
         m_session->addPin({120, 80});
         const auto film = copyOf(*m_session->document().project());
         endOf(*film) = 4;
-        designOf<2>(*film).material.memory = elastic ? std::numeric_limits<double>::infinity() : 0;
-        auto& handles = designOf<2>(*film).handles;
-        handles[1].motions = {{Translate<2>{{0, 20}}, 0, 1, Ease::InOut},
-                              {Translate<2>{{-10, 5}}, 1, 2, Ease::InOut},
-                              {Translate<2>{{5, -15}}, 2, 3.5, Ease::InOut}};
-        handles[2].motions = {{Translate<2>{{0, -12}}, 0.4, 2.6, Ease::InOut}};
+        designOf(*film).material.memory = elastic ? std::numeric_limits<double>::infinity() : 0;
+        auto& handles = designOf(*film).handles;
+        handles[1].motions = {{Translate<3>{{0, 20, 0}}, 0, 1, Ease::InOut},
+                              {Translate<3>{{-10, 5, 0}}, 1, 2, Ease::InOut},
+                              {Translate<3>{{5, -15, 0}}, 2, 3.5, Ease::InOut}};
+        handles[2].motions = {{Translate<3>{{0, -12, 0}}, 0.4, 2.6, Ease::InOut}};
         m_session->document().change({}, film);
         QVERIFY(settle(*m_session));
         const auto before = m_session->track().frames();
         // The pose at 1 s: it touches what is before 2 s.
-        for (const Vec<2>& by : {Vec<2>(4, 3), Vec<2>(-6, 9)}) {
+        for (const Vec3& by : {Vec3(4, 3, 0), Vec3(-6, 9, 0)}) {
             const auto next = copyOf(*m_session->document().project());
-            auto& own = designOf<2>(*next).handles[1].motions;
-            std::get<Translate<2>>(own[0].kind).by += by;
-            std::get<Translate<2>>(own[1].kind).by -= by;
+            auto& own = designOf(*next).handles[1].motions;
+            std::get<Translate<3>>(own[0].kind).by += by;
+            std::get<Translate<3>>(own[1].kind).by -= by;
             m_session->document().change({}, next);
         }
         QVERIFY(settle(*m_session));
@@ -254,13 +254,14 @@ void TestCompute::elasticFilmsFollowWhatMoves() {
     m_session->addPin({200, 80});
     const auto film = copyOf(*m_session->document().project());
     endOf(*film) = 2;
-    designOf<2>(*film).material.memory = std::numeric_limits<double>::infinity();
-    designOf<2>(*film).handles[1].motions = {{Translate<2>{{0, 20}}, 0, 1}, {Translate<2>{{-10, 5}}, 1, 2}};
+    designOf(*film).material.memory = std::numeric_limits<double>::infinity();
+    designOf(*film).handles[1].motions = {{Translate<3>{{0, 20, 0}}, 0, 1},
+                                          {Translate<3>{{-10, 5, 0}}, 1, 2}};
     m_session->document().change({}, film);
     QVERIFY(settle(*m_session));
     const auto before = m_session->track().frames();
     const auto next = copyOf(*film);
-    std::get<Translate<2>>(designOf<2>(*next).handles[1].motions[0].kind).by = {0, 10};
+    std::get<Translate<3>>(designOf(*next).handles[1].motions[0].kind).by = {0, 10, 0};
     m_session->document().change({}, next);
     QVERIFY(settle(*m_session));
     QVERIFY(m_session->track().last() != before.back());
@@ -315,7 +316,7 @@ void TestCompute::laterDragsContinueTheMotion() {
     const auto later = posesOf(m_session->track());
     QVERIFY(later.size() > shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) QVERIFY(later[i] == shapes[i]);
-    const double border = m_session->document().design<2>().handles[0].motions[0].start;
+    const double border = m_session->document().design().handles[0].motions[0].start;
     QVERIFY(std::abs(m_session->track().frames()[shapes.size() - 1]->time - border) < 1e-9);
 }
 
@@ -547,10 +548,10 @@ void TestCompute::firstMotionIsCancelled() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     auto project = copyOf(*file.project);
     for (const double x : {40.0, 200.0}) {
-        Handle<2> handle;
-        handle.at = std::vector<Vec<2>>{{x, 80}};
-        handle.motions = {{Translate<2>{{0, x / 4}}, 0, 60}};
-        designOf<2>(*project).handles.push_back(handle);
+        Pin handle;
+        handle.at = std::vector<Vec3>{{x, 80, 0}};
+        handle.motions = {{Translate<3>{{0, x / 4, 0}}, 0, 60}};
+        designOf(*project).handles.push_back(handle);
     }
     endOf(*project) = 60;
     file.project = project;
@@ -559,7 +560,7 @@ void TestCompute::firstMotionIsCancelled() {
     QVERIFY(QTest::qWaitFor([this] { return m_session->frame() && !m_session->isMeshing(); }, 60000));
     if (!m_session->isBusy()) QSKIP("the motion is complete already");
     auto next = copyOf(*m_session->document().project());
-    std::get<Translate<2>>(designOf<2>(*next).handles[0].motions[0].kind).by.y() = 5;
+    std::get<Translate<3>>(designOf(*next).handles[0].motions[0].kind).by.y() = 5;
     m_session->document().change(QStringLiteral("Move"), next);
     QVERIFY(m_session->isMeshing());
     m_session->cancelWork();

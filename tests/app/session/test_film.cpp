@@ -113,19 +113,15 @@ void TestFilm::openFilm(int dimension) {
     open(dimension);
     const auto next = copyOf(project());
     endOf(*next) = 4;
-    std::visit(
-        [](auto& design) {
-            for (std::size_t h = 0; h < 2; ++h) {
-                auto& motions = design.handles[h].motions;
-                motions.resize(1);
-                auto& by = std::get<0>(motions[0].kind).by;
-                by.setZero();
-                by[1] = design.handles.size() == 2 && by.size() == 2 ? 20 : 0.5;
-                motions[0].start = static_cast<double>(h);
-                motions[0].end = static_cast<double>(h) + 1;
-            }
-        },
-        designOf(*next));
+    Design& design = designOf(*next);
+    for (std::size_t h = 0; h < 2; ++h) {
+        auto& motions = design.handles[h].motions;
+        motions.resize(1);
+        const bool isPicture = design.handles.size() == 2 && design.dimension == 2;
+        std::get<0>(motions[0].kind).by = Vec3(0, isPicture ? 20 : 0.5, 0);
+        motions[0].start = static_cast<double>(h);
+        motions[0].end = static_cast<double>(h) + 1;
+    }
     session().document().change(QStringLiteral("Film"), next);
     QVERIFY(settle(session()));
 }
@@ -137,8 +133,7 @@ QPoint TestFilm::pin(int handle) {
 }
 
 std::size_t TestFilm::motions(int handle) {
-    return std::visit([=](const auto& design) { return design.handles[handle].motions.size(); },
-                      designOf(project()));
+    return designOf(project()).handles[handle].motions.size();
 }
 
 /// Ten moves, a rest of half a second if there is a pause, and back half the way.
@@ -311,7 +306,7 @@ void TestFilm::playsAtItsSpeed() {
 void TestFilm::shortBarsKeepTheirPlace() {
     openFilm(2);
     const auto next = copyOf(project());
-    auto& motions = designOf<2>(*next).handles[0].motions;
+    auto& motions = designOf(*next).handles[0].motions;
     motions.resize(2, motions[0]);
     motions[0].end = 0.99;
     motions[1].start = 0.99;
@@ -425,12 +420,8 @@ void TestFilm::holdsAreDragged() {
     // One that is set at the end holds there alone, and its line is a stop that goes only one way.
     const auto late = copyOf(project());
     designOf(*late) = withHold(designOf(*late), 1, {0, 4}, endOf(*late));
-    std::visit(
-        [](auto& design) {
-            design.handles[1].motions.clear();
-            design.handles[1].activeFrom = 4;
-        },
-        designOf(*late));
+    designOf(*late).handles[1].motions.clear();
+    designOf(*late).handles[1].activeFrom = 4;
     session().document().change(QStringLiteral("Late"), late);
     QVERIFY(settle(session()));
     for (const double beside : {-4.0, 4.0}) {
@@ -451,7 +442,7 @@ void TestFilm::barsSnapToEachOther() {
 void TestFilm::lockedBarsStay() {
     openFilm(2);
     const auto next = copyOf(project());
-    designOf<2>(*next).handles[0].traits.locked = true;
+    designOf(*next).handles[0].traits.locked = true;
     session().document().change(QStringLiteral("Lock"), next);
     QVERIFY(settle(session()));
     dragBar(0, 0, tracks().barOf(0, 0).center().x(), 60);
@@ -476,7 +467,7 @@ void TestFilm::barsByKeyboard() {
     QCOMPARE(session().document().undoStack()->count(), steps + 1);  // keys in a row are one step
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QCOMPARE(motions(1), std::size_t(0));
-    QCOMPARE(session().document().design<2>().handles.size(), std::size_t(2));  // the pin stays
+    QCOMPARE(session().document().design().handles.size(), std::size_t(2));  // the pin stays
     QTest::keyClick(&tracks(), Qt::Key_Up);
     QCOMPARE(motions(0), std::size_t(1));
 }
@@ -521,7 +512,7 @@ void TestFilm::severalBarsGoTogether() {
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
     session().document().undoStack()->undo();
     const auto locked = copyOf(project());
-    std::visit([](auto& design) { design.handles[0].traits.locked = true; }, designOf(*locked));
+    designOf(*locked).handles[0].traits.locked = true;
     session().document().change(QStringLiteral("Lock"), locked);
     QVERIFY(settle(session()));
     click(0, {});
@@ -573,8 +564,8 @@ void TestFilm::menuOfABar() {
     QCOMPARE(actions.size(), 8);
     QVERIFY(actions[0]->isChecked());
     actions[3]->trigger();
-    QCOMPARE(designOf<3>(project()).handles[1].motions[0].ease, Ease::InOut);
-    QCOMPARE(designOf<3>(project()).handles[0].motions[0].ease, Ease::Linear);
+    QCOMPARE(designOf(project()).handles[1].motions[0].ease, Ease::InOut);
+    QCOMPARE(designOf(project()).handles[0].motions[0].ease, Ease::Linear);
     actions[7]->trigger();
     QCOMPARE(motions(1), std::size_t(0));
     QCOMPARE(motions(0), std::size_t(1));
@@ -587,7 +578,7 @@ template <int Dim>
 QString ghostName(ShapeSession& session) {
     const auto ghosts = session.ghosts<Dim>();
     if (ghosts.size() != 1) return {};
-    const auto& handles = session.document().template design<Dim>().handles;
+    const auto& handles = session.document().design().handles;
     return wend::ghostName<Dim>(handles[ghosts[0].handle], "x", session.playback().time());
 }
 
@@ -678,7 +669,7 @@ void TestFilm::filmsBeginWithWhatMoves() {
     open(2);
     for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80});
     const auto next = copyOf(project());
-    designOf<2>(*next).handles.back().motions = {Motion<2>{Translate<2>{{0, 5}}}};
+    designOf(*next).handles.back().motions = {PinMotion{Translate<3>{{0, 5, 0}}}};
     OpenedFile file;
     file.project = next;
     file.picture = session().document().picture();
@@ -709,8 +700,8 @@ void TestFilm::manyPinsScroll() {
 void TestFilm::onionSkinShowsWhatWasAndComes() {
     openFilm(2);
     const auto next = copyOf(project());  // the whole bar goes down, evenly
-    for (auto& handle : designOf<2>(*next).handles) {
-        std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
+    for (auto& handle : designOf(*next).handles) {
+        std::get<Translate<3>>(handle.motions[0].kind).by = {0, 60, 0};
         handle.motions[0].start = 0, handle.motions[0].end = 4;
     }
     session().document().change(QStringLiteral("Down"), next);
@@ -741,8 +732,8 @@ void TestFilm::onionSkinIsOfWhatIsDrawn() {
     openFilm(2);
     const auto next = copyOf(project());
     domainOf(*next).alpha.margin = 16;
-    for (auto& handle : designOf<2>(*next).handles) {
-        std::get<Translate<2>>(handle.motions[0].kind).by = {0, 60};
+    for (auto& handle : designOf(*next).handles) {
+        std::get<Translate<3>>(handle.motions[0].kind).by = {0, 60, 0};
         handle.motions[0].start = 0, handle.motions[0].end = 4;
     }
     session().document().change(QStringLiteral("Down"), next);

@@ -140,7 +140,7 @@ void TestGestures::undoEndsADrag() {
     m_session->dragTo<2>({0, 12});
     m_session->endDrag(0.2);
     QVERIFY(settled());
-    QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(1));
+    QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
     QVERIFY(!m_session->frame()->live);
     QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
 }
@@ -190,7 +190,7 @@ void TestGestures::refusedDragsLeaveOthersAlone() {
     open();
     m_session->document().changeDesign(
         QStringLiteral("Edit"),
-        withHandle<2>(m_session->document().design<2>(), Region<2>(Ball<2>{{110, 80}, 14}), "Block"));
+        withHandle(m_session->document().design(), Region<3>(Ball<3>{{110, 80, 0}, 14}), "Block"));
     const int inside = m_session->addPin<2>({112.5, 81.25});
     QVERIFY(settled());
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
@@ -256,8 +256,8 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
     m_session->dragTo<2>({0, 4});
     m_session->endDrag(0.2);
     QVERIFY(settled());
-    QVERIFY(m_session->document().design<2>().handles[0].motions.empty());
-    QCOMPARE(m_session->document().design<2>().handles[1].motions.size(), std::size_t(2));
+    QVERIFY(m_session->document().design().handles[0].motions.empty());
+    QCOMPARE(m_session->document().design().handles[1].motions.size(), std::size_t(2));
 }
 
 void TestGestures::handlesThatAreGoneCanBeRemoved() {
@@ -267,7 +267,7 @@ void TestGestures::handlesThatAreGoneCanBeRemoved() {
     for (const std::size_t left : {2, 1}) {
         m_session->selection().set({0});
         m_session->removeSelected();
-        QCOMPARE(m_session->document().design<2>().handles.size(), left);
+        QCOMPARE(m_session->document().design().handles.size(), left);
         QVERIFY(settled());
         QCOMPARE(m_session->ghosts().size(), left - 1);  // let go of at first: still to be found
     }
@@ -282,8 +282,8 @@ void TestGestures::pinSitsWhereItWasClicked() {
     QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
     const int added = m_session->addPin(far);
     QCOMPARE(added, 2);
-    const auto& points = std::get<std::vector<Vec<2>>>(m_session->document().design<2>().handles[2].at);
-    QVERIFY((points[0] - far).norm() < 1e-9);
+    const auto& points = std::get<std::vector<Vec3>>(m_session->document().design().handles[2].at);
+    QVERIFY((inPlane(points[0]) - far).norm() < 1e-9);
 }
 
 void TestGestures::clicksBesideTheShapeAreTold() {

@@ -64,7 +64,8 @@ Project barOf(const QTemporaryDir& folder, int slices, double phi) {
     project.domain.kind = DomainKind::Mesh;
     project.domain.path = folder.filePath(QStringLiteral("bar.mesh")).toStdString();
     writeMesh<3>(project.domain.path, sliced(slices));
-    Design<3> design;
+    Design design;
+    design.dimension = 3;
     design.material.phi = phi;
     design.handles = ends();
     project.design = design;
@@ -85,7 +86,7 @@ double softening(const Shape<3>& shape) {
     for (int i = 1; i <= 8; ++i) {
         const auto step = preview.follow(handAt(i));
         if (step.stopped || step.pinError > 1e-9) return 1;
-        exact.lead({1}, motionBetween<3>({}, handAt(i - 1), handAt(i)));
+        exact.lead({1}, motionBetween({}, handAt(i - 1), handAt(i)));
     }
     return (preview.pose() - exact.pose()).colwise().norm().maxCoeff() / kLength;
 }
@@ -163,7 +164,7 @@ void TestLiveDrag::othersGoAlongWithARecording() {
 void TestLiveDrag::readyBeforeTheMotionIsKnown() {
     const QTemporaryDir folder;
     Project project = barOf(folder, 1000, phi::kMetr);
-    std::get<Design<3>>(project.design).handles[1].motions = {{Translate<3>{Vec<3>(1, 0, 0)}, 0, 1}};
+    project.design.handles[1].motions = {{Translate<3>{Vec<3>(1, 0, 0)}, 0, 1}};
     std::stop_source stop;
     ShapeEngine::Sink sink;
     sink.shapeReady = [](int, const std::shared_ptr<const void>&, const KeptFrames&) {};
@@ -218,7 +219,7 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
     session.document().open(file);
     QVERIFY(test::settle(session));
     if (phi != phiBefore) {
-        std::get<Design<3>>(project.design).material.phi = phi;
+        project.design.material.phi = phi;
         session.document().change(QStringLiteral("Energy"), project);
         QVERIFY(test::settle(session));
     }

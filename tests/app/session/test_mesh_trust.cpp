@@ -68,7 +68,7 @@ class TestMeshTrust : public QObject {
     }
     Shape<3> solid(const std::string& domain) const {
         const auto read = project("'domain': {" + domain + "}");
-        return loadSolid(domainOf(*read), designOf<3>(*read), m_base);
+        return loadSolid(domainOf(*read), designOf(*read), m_base);
     }
     /// Runs it; what was told stays in m_notices.
     void run(const std::shared_ptr<Project>& project, const RunOutputs& outputs,

@@ -91,10 +91,10 @@ class TestShape : public QObject {
 
     /// φ goes linearly with the membership, from what the regions before have left.
     void regionsBlendPhi() {
-        MaterialSpec<2> spec;
+        MaterialSpec spec;
         spec.phi = 1;
-        spec.regions.push_back({"", Blend<2>{{0, 0}, {4, 0}}, 0, 2.0, {}});
-        spec.regions.push_back({"", Box<2>{{-1, 3}, {9, 9}}, 0, 0.5, {}});
+        spec.regions.push_back({"", Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0, 2.0, {}});
+        spec.regions.push_back({"", Box<3>{{-1, 3, 0}, {9, 9, 0}}, 0, 0.5, {}});
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -107,9 +107,9 @@ class TestShape : public QObject {
 
     /// A half-space is the side that its normal points to.
     void featherIsSmooth() {
-        MaterialSpec<2> spec;
+        MaterialSpec spec;
         spec.phi = 1;
-        spec.regions.push_back({"", HalfSpace<2>{{20, 0}, {1, 0}}, 10, 2.0, {}});
+        spec.regions.push_back({"", HalfSpace<3>{{20, 0, 0}, {1, 0, 0}}, 10, 2.0, {}});
         const SimplicialMesh<2> mesh = grid(40);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         int between = 0;
@@ -124,8 +124,8 @@ class TestShape : public QObject {
 
     /// B = (1 − m) B_prev + m (I + (s − 1) a aᵀ): in the middle of a blend the mean of both.
     void stiffnessBlends() {
-        MaterialSpec<2> spec;
-        spec.regions.push_back({"", Blend<2>{{0, 0}, {4, 0}}, 0, {}, Stiffness<2>{{0, 3}, 9}});
+        MaterialSpec spec;
+        spec.regions.push_back({"", Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0, {}, Stiffness{{0, 3, 0}, 9}});
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -136,15 +136,15 @@ class TestShape : public QObject {
     }
 
     void cellValues() {
-        MaterialSpec<2> spec;
+        MaterialSpec spec;
         const SimplicialMesh<2> mesh = grid(1);
         spec.cellPhi = {0.5, 0.7};
-        spec.regions.push_back({"", Box<2>{{-1, -1}, {3, 3}}, 0, {}, Stiffness<2>{{1, 0}, 2}});
+        spec.regions.push_back({"", Box<3>{{-1, -1, 0}, {3, 3, 0}}, 0, {}, Stiffness{{1, 0, 0}, 2}});
         QCOMPARE(rasterizeMaterial<2>(spec, mesh)->phi[1], 0.7);
         spec.cellPhi.push_back(1);
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
         spec.cellPhi.clear();
-        spec.cellB = {Mat<2>::Identity()};
+        spec.cellB = {Mat<3>::Identity()};
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
     }
 

@@ -56,7 +56,7 @@ class TestSolid : public QObject {
     }
     Shape<3> solid(const std::string& domain) const {
         const auto read = project(domain);
-        return loadSolid(domainOf(*read), designOf<3>(*read), m_base);
+        return loadSolid(domainOf(*read), designOf(*read), m_base);
     }
 
     QTemporaryDir m_folder;
@@ -322,7 +322,7 @@ void TestSolid::handlesByNumberKeepTheSurface() {
         "{'format': 'wend', 'version': 1, 'domain': {'surface': 'dense.obj', 'vertices': 300}, "
         "'handles': [{'at': {'vertices': [3000]}}]}";
     const auto read = parseProject(json(text), m_base + "/p.wend").project;
-    QVERIFY(!loadSolid(domainOf(*read), designOf<3>(*read), m_base).cage);
+    QVERIFY(!loadSolid(domainOf(*read), designOf(*read), m_base).cage);
 }
 
 void TestSolid::sizesFollowRegionsAndPaint() {
@@ -372,7 +372,7 @@ void TestSolid::builderKeepsWhatHolds() {
     const auto first = builder.build(inputs, {});
     QVERIFY(first.rest && first.material && first.skin && first.embedding);
     const auto stiffer = copyOf(*inputs.project);
-    designOf<3>(*stiffer).material.phi = 1;
+    designOf(*stiffer).material.phi = 1;
     inputs.project = copyOf(*stiffer);
     const auto second = builder.build(inputs, {});
     QCOMPARE(second.rest, first.rest);

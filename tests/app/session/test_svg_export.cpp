@@ -256,7 +256,7 @@ void TestSvgExport::sizesAreKept() {
     LoadedProject loaded = bent();
     Project twice = *loaded.project;
     drawAt(twice, drawnSize(twice.domain, m_folder.path().toStdString()), {1280, 960});
-    QCOMPARE(std::get<std::vector<Vec<2>>>(designOf<2>(twice).handles[1].at).front(), Vec<2>(1040, 480));
+    QCOMPARE(std::get<std::vector<Vec3>>(designOf(twice).handles[1].at).front(), Vec3(1040, 480, 0));
     QCOMPARE(drawnSize(twice.domain, m_folder.path().toStdString()), (DrawnSize{1280, 960}));
 }
 

@@ -57,8 +57,8 @@ class TestTrackTools : public QObject {
     KeyPoseStrip& poses() { return tracks().poses(); }
     EaseEditor& editor() { return *m_window->window().findChild<EaseEditor*>(); }
     EasePlot& plot() { return editor().plot(); }
-    const std::vector<Motion<2>>& motions(int handle) {
-        return designOf<2>(project()).handles[static_cast<std::size_t>(handle)].motions;
+    const std::vector<PinMotion>& motions(int handle) {
+        return designOf(project()).handles[static_cast<std::size_t>(handle)].motions;
     }
     Progress progress(int handle, int motion) {
         return shownProgress(designOf(project()), {handle, motion}).curve;
@@ -82,9 +82,9 @@ void TestTrackTools::init() {
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
     const auto next = copyOf(project());
     endOf(*next) = 4;
-    auto& handles = designOf<2>(*next).handles;
-    handles[0].motions = {{Translate<2>{{0, 30}}, 0, 1}, {Translate<2>{{5, 0}}, 1, 2}};
-    handles[1].motions = {{Translate<2>{{0, -20}}, 1, 2}};
+    auto& handles = designOf(*next).handles;
+    handles[0].motions = {{Translate<3>{{0, 30, 0}}, 0, 1}, {Translate<3>{{5, 0, 0}}, 1, 2}};
+    handles[1].motions = {{Translate<3>{{0, -20, 0}}, 1, 2}};
     session().document().change(QStringLiteral("Film"), next);
     QVERIFY(settle(session()));
     settleLayout(m_window->window().canvas());
@@ -116,7 +116,7 @@ void TestTrackTools::curveIsDragged() {
     QCOMPARE(undo().count(), steps + 1);
     const Progress now = progress(0, 1);  // the motion after the key
     QVERIFY(std::abs(now.first - (1.0 / 3 - 0.25)) < 0.02 && std::abs(now.second - 2.0 / 3) < 1e-12);
-    QVERIFY(std::holds_alternative<CurveMotion<2>>(motions(0)[1].kind));
+    QVERIFY(std::holds_alternative<CurveMotion<3>>(motions(0)[1].kind));
     QCOMPARE(progress(0, 0), Progress());
     dragHandle(1, 0.5);  // beyond its end
     QVERIFY(progress(0, 1).second > 1.1);
@@ -189,7 +189,7 @@ void TestTrackTools::presetsAndHold() {
     const Ease eases[] = {Ease::Linear, Ease::In, Ease::Out, Ease::InOut};
     for (int i : {3, 1, 2, 0}) {
         buttons[i]->click();
-        QVERIFY(std::holds_alternative<Translate<2>>(motions(0)[1].kind) && motions(0)[1].ease == eases[i]);
+        QVERIFY(std::holds_alternative<Translate<3>>(motions(0)[1].kind) && motions(0)[1].ease == eases[i]);
         for (int k = 0; k < 4; ++k) QCOMPARE(buttons[k]->isChecked(), k == i);
     }
     choose(0, 0);
@@ -199,15 +199,16 @@ void TestTrackTools::presetsAndHold() {
     QCOMPARE(motions(0).size(),
              std::size_t{1});  // it rests from 0 to 1 s, and comes at 2 s where it was then
     QVERIFY(motions(0)[0].start == 1);
-    QVERIFY((std::get<Translate<2>>(motions(0)[0].kind).by - Vec<2>(5, 30)).norm() < 1e-12);
+    QVERIFY((std::get<Translate<3>>(motions(0)[0].kind).by - Vec3(5, 30, 0)).norm() < 1e-12);
 }
 
 void TestTrackTools::rotationsHaveNoHandles() {
     const auto next = copyOf(project());
-    Rotate<2> turn;
-    turn.centre = {40, 80};
+    Rotate<3> turn;
+    turn.centre = {40, 80, 0};
+    turn.axis = Vec3::UnitZ();
     turn.angle = 0.3;
-    designOf<2>(*next).handles[0].motions[1].kind = turn;
+    designOf(*next).handles[0].motions[1].kind = turn;
     session().document().change(QStringLiteral("Turn"), next);
     QVERIFY(settle(session()));
     choose(0, 1);
@@ -232,7 +233,7 @@ void TestTrackTools::posesAreDrawn() {
     QTest::mouseClick(&poses(), Qt::LeftButton, {}, poses().placeOf(1).center().toPoint());
     QCOMPARE(session().playback().time(), 1.0);
     const auto next = copyOf(project());
-    std::get<Translate<2>>(designOf<2>(*next).handles[1].motions[0].kind).by = {0, 25};
+    std::get<Translate<3>>(designOf(*next).handles[1].motions[0].kind).by = {0, 25, 0};
     session().document().change(QStringLiteral("Other"), next);
     QVERIFY(settle(session()));
     QTRY_VERIFY_WITH_TIMEOUT(poses().isDone(), 30000);
@@ -252,11 +253,11 @@ void TestTrackTools::posesOfASolid() {
     const auto next = copyOf(project());
     endOf(*next) = 1;
     for (const double x : {-1.5, 1.5}) {
-        Handle<3> handle;
+        Pin handle;
         handle.name = x < 0 ? "left" : "right";
         handle.at = std::vector<Vec<3>>{{x, 0, 0}};
         if (x > 0) handle.motions = {{Translate<3>{{0, 0, 0.8}}, 0, 1}};
-        designOf<3>(*next).handles.push_back(handle);
+        designOf(*next).handles.push_back(handle);
     }
     session().document().change(QStringLiteral("Film"), next);
     QVERIFY(settle(session()));

@@ -60,9 +60,7 @@ class TestTracks : public QObject {
     QUndoStack& undo() { return *session().document().undoStack(); }
     TrackView& tracks() { return *m_window->window().findChild<TrackView*>(); }
     TimeRuler& ruler() { return tracks().ruler(); }
-    const std::vector<Motion<2>>& motions(int handle) {
-        return designOf<2>(project()).handles[handle].motions;
-    }
+    const std::vector<PinMotion>& motions(int handle) { return designOf(project()).handles[handle].motions; }
     std::vector<double> keys(int handle) { return keyTimes(designOf(project()), handle); }
     double pixel() { return 1 / tracks().scale().pixelsOf(1); }
     QPoint spot(int handle, double time) { return tracks().keySpot({handle, time}).toPoint(); }
@@ -85,9 +83,9 @@ void TestTracks::init() {
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
     const auto next = copyOf(project());
     endOf(*next) = 4;
-    auto& handles = designOf<2>(*next).handles;
-    handles[0].motions = {{Translate<2>{{0, 10}}, 0, 1}, {Translate<2>{{5, 0}}, 1, 2}};
-    handles[1].motions = {{Translate<2>{{0, -6}}, 1, 2}};
+    auto& handles = designOf(*next).handles;
+    handles[0].motions = {{Translate<3>{{0, 10, 0}}, 0, 1}, {Translate<3>{{5, 0, 0}}, 1, 2}};
+    handles[1].motions = {{Translate<3>{{0, -6, 0}}, 1, 2}};
     session().document().change(QStringLiteral("Film"), next);
     QVERIFY(settle(session()));
     settleLayout(m_window->window().canvas());
@@ -136,9 +134,9 @@ QAction* TestTracks::menuEntry(QWidget& at, const QPoint& place, const QString& 
 /// By the sum of straight motions.
 Vec<2> TestTracks::placeAt(int handle, double time) {
     Vec<2> place = Vec<2>::Zero();
-    for (const Motion<2>& motion : motions(handle))
+    for (const PinMotion& motion : motions(handle))
         place += std::clamp((time - motion.start) / (motion.end - motion.start), 0.0, 1.0) *
-                 std::get<Translate<2>>(motion.kind).by;
+                 inPlane(std::get<Translate<3>>(motion.kind).by);
     return place;
 }
 
@@ -201,7 +199,7 @@ void TestTracks::keysByKeyboard() {
     QCOMPARE(undo().count(), steps + 1);
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QCOMPARE(keys(0), (std::vector<double>{0, 1}));
-    QCOMPARE(session().document().design<2>().handles.size(), 3U);  // the pin stays
+    QCOMPARE(session().document().design().handles.size(), 3U);  // the pin stays
 }
 
 void TestTracks::keysAreCopiedToTheTimeShown() {
@@ -294,7 +292,7 @@ void TestTracks::menuOfAKey() {
 
 void TestTracks::lockedKeysStay() {
     const auto next = copyOf(project());
-    designOf<2>(*next).handles[0].traits.locked = true;
+    designOf(*next).handles[0].traits.locked = true;
     session().document().change(QStringLiteral("Lock"), next);
     QVERIFY(settle(session()));
     drag(*tracks().viewport(), spot(0, 1), {40, 0});
@@ -305,14 +303,14 @@ void TestTracks::lockedKeysStay() {
 
 /// A recording of an arc becomes few keys, or one straight move.
 void TestTracks::menuOfABarSimplifies() {
-    Recorded<2> arc;
+    Recorded<3> arc;
     for (int i = 0; i <= 90; ++i) {
         const double angle = i * std::numbers::pi / 180;
         arc.times.push_back(i);
-        arc.points.push_back(30 * Vec<2>(1 - std::cos(angle), std::sin(angle)));
+        arc.points.push_back(30 * Vec3(1 - std::cos(angle), std::sin(angle), 0));
     }
     const auto next = copyOf(project());
-    designOf<2>(*next).handles[2].motions = {{arc, 0, 3}};
+    designOf(*next).handles[2].motions = {{arc, 0, 3}};
     session().document().change(QStringLiteral("Arc"), next);
     QVERIFY(settle(session()));
     const auto entry = [&](const char* text) {
@@ -324,11 +322,11 @@ void TestTracks::menuOfABarSimplifies() {
     QVERIFY(many > 1 && many < 8);
     double worst = 0;
     for (int i = 0; i <= 90; ++i) {
-        Vec<2> place = Vec<2>::Zero();
-        for (const Motion<2>& motion : motions(2)) {
+        Vec3 place = Vec3::Zero();
+        for (const PinMotion& motion : motions(2)) {
             const double s = std::clamp((i / 30.0 - motion.start) / (motion.end - motion.start), 0.0, 1.0);
             const double eased[] = {s, s * s, s * (2 - s), s * s * (3 - 2 * s)};
-            place += eased[int(motion.ease)] * std::get<Translate<2>>(motion.kind).by;
+            place += eased[int(motion.ease)] * std::get<Translate<3>>(motion.kind).by;
         }
         worst = std::max(worst, (place - arc.points[i]).norm());
     }
@@ -356,7 +354,7 @@ void TestTracks::dragAtTheEndIsCorrected() {
     QCOMPARE(endOf(project()), 5.0);
     QCOMPARE(motions(2).size(), 1U);
     QCOMPARE(undo().count(), steps + 1);
-    const Vec<2> by = std::get<Translate<2>>(motions(2)[0].kind).by;
+    const Vec3 by = std::get<Translate<3>>(motions(2)[0].kind).by;
     QVERIFY(by.x() > 1 && by.y() > 1);
     m_window->window().actions().keepWay->trigger();
     dragPin({20, 0});

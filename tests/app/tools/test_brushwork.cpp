@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -126,10 +127,10 @@ void TestBrushwork::namePlaces() {
     QVERIFY(Bar<Dim>::open(*m_f));
     auto& session = m_f->session();
     const auto next = copyOf(m_f->project());
-    Handle<Dim> neck;
+    Pin neck;
     neck.name = "Neck";
-    neck.at = std::vector<Vec<Dim>>{Bar<Dim>::place(-1.5, 0)};
-    designOf<Dim>(*next).handles.push_back(neck);
+    neck.at = std::vector<Vec3>{inSpace(Bar<Dim>::place(-1.5, 0))};
+    designOf(*next).handles.push_back(neck);
     session.document().change(QStringLiteral("Pin"), next);
     QVERIFY(settle(session));
     m_f->tool("paint")->trigger();
@@ -195,7 +196,7 @@ void TestBrushwork::paintByKeys() {
     QTest::keyClick(&canvas, Qt::Key_Left);
     QTest::keyClick(&canvas, Qt::Key_Return);
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
-    const Vec<Dim> start = std::get<Ball<Dim>>(regions<Dim>()[0].shape).centre;
+    const Vec<Dim> start = std::get<Ball<Dim>>(regionIn<Dim>(regions<Dim>()[0].shape)).centre;
     const double pixel = canvas.pixelSize(start);
     QVERIFY((start - Bar<Dim>::place(0, 0)).norm() < 3 * pixel);
     const int before = steps();
@@ -204,7 +205,7 @@ void TestBrushwork::paintByKeys() {
     QTest::keyClick(&canvas, Qt::Key_Return, Qt::ShiftModifier);
     QVERIFY(settle(session));
     QVERIFY(steps() == before + 1 && layers().size() == 1 && regions<Dim>().size() > 10);
-    const Vec<Dim> end = std::get<Ball<Dim>>(regions<Dim>().back().shape).centre;
+    const Vec<Dim> end = std::get<Ball<Dim>>(regionIn<Dim>(regions<Dim>().back().shape)).centre;
     QVERIFY(std::abs((end - start).x() - 100 * pixel) < 7 * pixel && (end - start).norm() < 107 * pixel);
     m_f->tool("fill")->trigger();
     set([](BrushSettings& b) { b.phi = phi::kEquia; });
@@ -232,7 +233,7 @@ void TestBrushwork::blendByKeys() {
             QTest::keyClick(&canvas, static_cast<Qt::Key>(key),
                             key >= Qt::Key_Left && key <= Qt::Key_Down ? Qt::ShiftModifier : Qt::NoModifier);
     };
-    const auto blend = [&] { return std::get<Blend<Dim>>(regions<Dim>().back().shape); };
+    const auto blend = [&] { return std::get<Blend<Dim>>(regionIn<Dim>(regions<Dim>().back().shape)); };
     keys({Qt::Key_Right, Qt::Key_Return, Qt::Key_Right, Qt::Key_Escape, Qt::Key_Return});
     QVERIFY(regions<Dim>().empty());  // the last one has begun another
     QTest::mouseMove(&canvas, canvas.toWidget(Bar<Dim>::place(0.5, 0)).toPoint());

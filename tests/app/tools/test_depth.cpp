@@ -209,7 +209,7 @@ void TestDepth::initTestCase() {
     OpenedFile file = openFile(path);
     auto project = std::make_shared<Project>(*file.project);
     project->domain.vertices = 500;
-    std::get<Design<2>>(project->design).material.memory = 0;  // the arm lies farther over the body
+    project->design.material.memory = 0;  // the arm lies farther over the body
     file.project = project;
     m_session.document().open(std::move(file));
     QVERIFY(settle(m_session));
@@ -346,9 +346,9 @@ void TestDepth::crossingLimb() {
     QFETCH(int, arm);
     QFETCH(int, hand);
     QFETCH(int, all);
-    setDepth({{"all", HalfSpace<2>{{0, -50}, {0, 1}}, double(all)},
+    setDepth({{"all", HalfSpace<3>{{0, -50, 0}, {0, 1, 0}}, double(all)},
               {"arm", Polygon{pointsOf(kArm)}, double(arm)},
-              {"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, double(hand)}});
+              {"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, double(hand)}});
     const Composition expected(m_drawing, *m_session.frame<2>(), [&](const QPointF& p) -> double {
         if (std::hypot(p.x() - kHand.x(), p.y() - kHand.y()) < kHandRadius) return hand + kLimb;
         return kArm.containsPoint(p, Qt::OddEvenFill) ? arm + kLimb : all;
@@ -381,7 +381,7 @@ void TestDepth::orderIsUndone() {
 
 /// On the canvas, where the hand is seen now: what is brushed is the hand at rest.
 void TestDepth::brushed() {
-    setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, 1}});  // over the body
+    setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, 1}});  // over the body
     Brush brush;
     brush.order().set(2);
     DepthTool tool(m_canvas, brush);
@@ -392,7 +392,7 @@ void TestDepth::brushed() {
     const auto orderAt = [&](const Vec<2>& p) {
         double found = 0;
         for (const DepthRegion& region : m_session.document().project()->depth)
-            if (signedDistance<2>(region.shape, p) <= 0) found = region.order;
+            if (signedDistance<2>(inPlane(region.shape), p) <= 0) found = region.order;
         return found;
     };
     const auto stroke = [&](Qt::KeyboardModifiers modifiers) {
@@ -426,7 +426,7 @@ void TestDepth::brushed() {
 /// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
 void TestDepth::whatIsSeenIsTouched() {
     for (const double order : {1.0, -1.0}) {
-        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
         const auto touch = m_canvas.touch(m_canvas.toWidget(m_session.pins<2>()[0].centre));
         QVERIFY(touch);
         const auto frame = m_session.frame<2>();
@@ -454,7 +454,7 @@ void TestDepth::pinsInFrontArePicked() {
     PinTool<2> tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
-        setDepth({{"hand", Ball<2>{{kHand.x(), kHand.y()}, kHandRadius}, order}});
+        setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
         for (const int pin : {0, body}) {
             Vec<2> place;
             for (const auto& view : m_session.pins<2>())
@@ -471,12 +471,12 @@ void TestDepth::pinsInFrontArePicked() {
 
 /// Only what a stroke hides altogether goes.
 void TestDepth::strokesLeaveWhatIsLarger() {
-    setDepth({{"body", Ball<2>{{200, 180}, 60}, 2}});
+    setDepth({{"body", Ball<3>{{200, 180, 0}, 60}, 2}});
     const DepthRegions& depth = m_session.document().depth();
-    const auto small = withDepthStroke(depth, {{{200, 180}, 10}, {{206, 180}, 10}}, -1);
+    const auto small = withDepthStroke(depth, {{{200, 180, 0}, 10}, {{206, 180, 0}, 10}}, -1);
     QCOMPARE(small.size(), std::size_t(3));
     QCOMPARE(small[0].order, 2.0);
-    QCOMPARE(withDepthStroke(depth, {{{210, 180}, 80}}, -1).size(), std::size_t(1));
+    QCOMPARE(withDepthStroke(depth, {{{210, 180, 0}, 80}}, -1).size(), std::size_t(1));
 }
 
 void TestDepth::anotherMeshHasItsOwnOrder() {
@@ -541,17 +541,16 @@ void TestDepth::pinsBringTheirPart() {
     setDepth({});
     const double size = m_session.frame()->diagonal;
     const auto with = [size](Project project, const std::vector<int>& handles, double order) {
-        project.depth =
-            withHandleDepth(project.depth, std::get<Design<2>>(project.design), handles, order, size);
+        project.depth = withHandleDepth(project.depth, project.design, handles, order, size);
         return project;
     };
     const auto of = [](const Project& project, std::size_t handle) {
-        return depthOfHandle(project.depth, std::get<Design<2>>(project.design).handles[handle].name);
+        return depthOfHandle(project.depth, project.design.handles[handle].name);
     };
     Project project = with(*m_session.document().project(), {0}, 3);
     QCOMPARE(project.depth.size(), std::size_t(1));
-    QVERIFY(signedDistance<2>(project.depth[0].shape, {126, 41}) < 0);
-    QVERIFY(signedDistance<2>(project.depth[0].shape, {120, 180}) > 0);  // where another pin is
+    QVERIFY(signedDistance<2>(inPlane(project.depth[0].shape), {126, 41}) < 0);
+    QVERIFY(signedDistance<2>(inPlane(project.depth[0].shape), {120, 180}) > 0);  // where another pin is
     QCOMPARE(of(project, 0), std::optional(3.0));
     QCOMPARE(of(project, 1), std::nullopt);
     project = withHandleName(project, 0, "hand");
@@ -563,8 +562,8 @@ void TestDepth::pinsBringTheirPart() {
     QVERIFY(project.depth.empty());
     // Of two pins close to each other either takes no more than the half between them.
     const Project near = with(withPin(project, Vec<2>(146, 41), "near"), {0}, 1);
-    QVERIFY(signedDistance<2>(near.depth[0].shape, {134, 41}) < 0);
-    QVERIFY(signedDistance<2>(near.depth[0].shape, {137, 41}) > 0);
+    QVERIFY(signedDistance<2>(inPlane(near.depth[0].shape), {134, 41}) < 0);
+    QVERIFY(signedDistance<2>(inPlane(near.depth[0].shape), {137, 41}) > 0);
 }
 
 QTEST_MAIN(TestDepth)

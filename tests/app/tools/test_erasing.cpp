@@ -40,7 +40,7 @@ namespace {
 
 /// What the file's regions make of one value over another, cell by cell: a sum of our own.
 template <int Dim>
-std::vector<double> expected(const PosedFrame<Dim>& frame, const std::vector<MaterialRegion<Dim>>& regions,
+std::vector<double> expected(const PosedFrame<Dim>& frame, const std::vector<MaterialRegion>& regions,
                              double everywhere, double painted) {
     std::vector<double> values;
     for (const auto& cell : frame.rest->cells) {
@@ -48,7 +48,7 @@ std::vector<double> expected(const PosedFrame<Dim>& frame, const std::vector<Mat
         for (const int v : cell) centre += frame.rest->points.col(v) / (Dim + 1);
         double cover = 0;
         for (const auto& region : regions) {
-            const auto& ball = std::get<Ball<Dim>>(region.shape);
+            const auto ball = std::get<Ball<Dim>>(regionIn<Dim>(region.shape));
             const double t =
                 std::clamp(0.5 - ((centre - ball.centre).norm() - ball.radius) / region.feather, 0.0, 1.0);
             const double m = t * t * (3 - 2 * t);
@@ -244,9 +244,9 @@ void TestErasing::linesGoRoundWhatIsErased() {
     rest.points.resize(2, 3);
     rest.points << 0, 100, 0, 0, 0, 100;
     rest.cells = {{0, 1, 2}};
-    std::vector<MaterialRegion<2>> layer{{"l", Ball<2>{{50, 50}, 30}, 0, 1.0, {}},
-                                         {"l", Ball<2>{{80, 50}, 10}, 0, {}, {}},
-                                         {"l", Ball<2>{{70, 50}, 4}, 0, 1.0, {}}};
+    std::vector<MaterialRegion> layer{{"l", Ball<3>{{50, 50, 0}, 30}, 0, 1.0, {}},
+                                      {"l", Ball<3>{{80, 50, 0}, 10}, 0, {}, {}},
+                                      {"l", Ball<3>{{70, 50, 0}, 4}, 0, 1.0, {}}};
     layer[1].leaves = 0;
     int paint = 0, erased = 0, again = 0;
     for (const auto& line : linesOf(layer, rest).border)

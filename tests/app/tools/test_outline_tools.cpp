@@ -163,7 +163,7 @@ void TestOutlineTools::limbsBecomeParts() {
     QCOMPARE(domain().parts[0].cutFrom, std::string("photograph"));
     QVERIFY(domain().parts[0].fill && domain().parts[0].joints.empty());
     QVERIFY(std::abs(areaOf(domain().parts[0].cut) - 100 * 80) < 30);
-    const auto& handles = designOf<2>(*m_session->document().project()).handles;
+    const auto& handles = designOf(*m_session->document().project()).handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(handles[0].part, std::string("photograph"));
     QCOMPARE(partUnder<2>(*m_canvas, m_canvas->toWidget({30, 100}), false), 0);
@@ -335,8 +335,8 @@ void TestOutlineTools::whatIsAtRestStays() {
     m_session->dragTo({20, 10});
     m_session->endDrag(0.2);
     const auto painted = copyOf(*m_session->document().project());
-    designOf<2>(*painted).material.regions.push_back({"stiff", Ball<2>{{100, 100}, 30}, 4, 1.5, {}});
-    depthOf(*painted).push_back({"front", Ball<2>{{100, 100}, 30}, 2});
+    designOf(*painted).material.regions.push_back({"stiff", Ball<3>{{100, 100, 0}, 30}, 4, 1.5, {}});
+    depthOf(*painted).push_back({"front", Ball<3>{{100, 100, 0}, 30}, 2});
     m_session->document().change(QStringLiteral("Paint"), painted);
     QVERIFY(settle(*m_session));
     const auto before = m_session->document().project();
@@ -386,13 +386,13 @@ void TestOutlineTools::pinsBesideItGo() {
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
     use(OutlineTool::Shape::Lasso);
     draw({{30, 30}, {120, 30}, {120, 120}, {30, 120}});
-    const auto& handles = m_session->document().design<2>().handles;
+    const auto& handles = m_session->document().design().handles;
     QCOMPARE(handles.size(), std::size_t(1));
-    QCOMPARE(std::get<std::vector<Vec<2>>>(handles[0].at)[0], Vec<2>(60, 60));
+    QCOMPARE(std::get<std::vector<Vec3>>(handles[0].at)[0], Vec3(60, 60, 0));
     QVERIFY(notices.count() > 0);
     for (const auto& problem : problems) QVERIFY(problem[0].toString().isEmpty());
     m_session->document().undoStack()->undo();
-    QCOMPARE(m_session->document().design<2>().handles.size(), std::size_t(2));
+    QCOMPARE(m_session->document().design().handles.size(), std::size_t(2));
 }
 
 void TestOutlineTools::pinsOnTheLineStay() {
@@ -405,7 +405,7 @@ void TestOutlineTools::pinsOnTheLineStay() {
         addPin(document, p, "Pin");
     const auto project = copyOf(*document.project());
     QCOMPARE(setOutline(*project, {{{{30, 30}, {120, 30}, {120, 120}, {30, 120}}}}), 1);
-    QCOMPARE(designOf<2>(*project).handles.size(), std::size_t(6));
+    QCOMPARE(designOf(*project).handles.size(), std::size_t(6));
 }
 
 /// Less than nine pixels of the picture are a slip of the hand.
@@ -518,7 +518,7 @@ void TestOutlineTools::finerWhereItIsBrushed() {
              qPrintable(QString::number(meanEdge(true) / meanEdge(false))));
     QVERIFY(std::abs(m_session->frame()->vertices - kVertices) <= 0.15 * kVertices);
     draw({{80, 100}, {81, 100}}, Qt::ControlModifier);
-    QVERIFY(domain().flatSizes.empty());
+    QVERIFY(domain().sizes.empty());
     QVERIFY(std::abs(meanEdge(true) / meanEdge(false) - 1) < 0.15);
     m_canvas->viewport().setTool(nullptr);
 }

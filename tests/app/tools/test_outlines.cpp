@@ -70,7 +70,7 @@ double roughnessOf(const std::string& sample, SmoothingKind kind, int vertices) 
     const std::string folder = WEND_SOURCE_DIR "/resources/samples/";
     const auto project = readProject(folder + sample + ".wend").project;
     domainOf(*project).vertices = vertices;
-    auto& material = designOf<2>(*project).material;
+    auto& material = designOf(*project).material;
     material.phi = phi::kEquia;
     material.smoothing.kind = kind;
     IntegrationOptions options = integrationOf(*project);

@@ -80,17 +80,20 @@ void TestPaintLayers::blends() {
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, canvas.toWidget(Bar<Dim>::place(1, 0.2)).toPoint());
     QVERIFY(settle(session));
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
-    const auto* blend = std::get_if<Blend<Dim>>(&regions<Dim>()[0].shape);
+    const auto blendOf = [&](std::size_t i) {
+        return std::get<Blend<Dim>>(regionIn<Dim>(regions<Dim>()[i].shape));
+    };
+    auto blend = blendOf(0);
     const double pixel = canvas.pixelSize(Bar<Dim>::place(0, 0));
-    QVERIFY(blend && (blend->from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel &&
-            (blend->to - Bar<Dim>::place(1, 0.2)).norm() < 2 * pixel);
+    QVERIFY((blend.from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel &&
+            (blend.to - Bar<Dim>::place(1, 0.2)).norm() < 2 * pixel);
     const auto frame = session.frame<Dim>();
     QVERIFY(frame->material->phi == shown);
     for (int c = 0; c < frame->cells; ++c) {
         Vec<Dim> centre = Vec<Dim>::Zero();
         for (const int v : frame->rest->cells[c]) centre += frame->rest->points.col(v) / (Dim + 1);
-        const Vec<Dim> way = blend->to - blend->from;
-        const double t = std::clamp((centre - blend->from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        const Vec<Dim> way = blend.to - blend.from;
+        const double t = std::clamp((centre - blend.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
         const double expected = phi::kMetr + t * (phi::conformal(Dim) - phi::kMetr);
         QVERIFY(std::abs(frame->material->phi[c] - expected) < 1e-12);
     }
@@ -98,9 +101,9 @@ void TestPaintLayers::blends() {
     stroke<Dim>({1, 0.2}, {0.2, -0.2});
     QVERIFY(settle(session));
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
-    blend = std::get_if<Blend<Dim>>(&regions<Dim>()[0].shape);
-    QVERIFY((blend->from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel);
-    QVERIFY((blend->to - Bar<Dim>::place(0.2, -0.2)).norm() < 2 * pixel);
+    blend = blendOf(0);
+    QVERIFY((blend.from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel);
+    QVERIFY((blend.to - Bar<Dim>::place(0.2, -0.2)).norm() < 2 * pixel);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(session));
     QVERIFY(session.frame<Dim>()->material->phi == shown);
@@ -116,9 +119,9 @@ void TestPaintLayers::blends() {
     QVERIFY(settle(session));
     QCOMPARE(regions<Dim>().size(), std::size_t(Dim == 2 ? 2 : 1));
     if (Dim == 3) return;
-    blend = std::get_if<Blend<Dim>>(&regions<Dim>()[1].shape);
-    QVERIFY((blend->from - Bar<Dim>::place(-1, 1.6)).norm() < 2 * pixel);
-    QVERIFY((blend->to - Bar<Dim>::place(1, 1.6)).norm() < 2 * pixel);
+    blend = blendOf(1);
+    QVERIFY((blend.from - Bar<Dim>::place(-1, 1.6)).norm() < 2 * pixel);
+    QVERIFY((blend.to - Bar<Dim>::place(1, 1.6)).norm() < 2 * pixel);
 }
 
 void TestPaintLayers::fillsAndEyedropper() {
@@ -153,7 +156,7 @@ void TestPaintLayers::fills() {
     const QString path = folder.filePath(QStringLiteral("filled.wend"));
     session.document().save(path);
     const auto saved = openFile(path).project;
-    QCOMPARE(regionGroups(designOf<Dim>(*saved)).size(), std::size_t(2));
+    QCOMPARE(regionGroups(designOf(*saved)).size(), std::size_t(2));
 }
 
 /// The bar is cut in two: a click fills the half that it lies in, with Shift both.
@@ -217,7 +220,7 @@ void TestPaintLayers::orderAndNames() {
     // A name that there is already does not join the two.
     panel.list()->currentItem()->setText(panel.list()->item(1)->text());
     QVERIFY(settle(session));
-    QCOMPARE(regionGroups(m_f->session().document().template design<Dim>()).size(), std::size_t(2));
+    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(2));
     QVERIFY(press("layerRemove"));
     QVERIFY(is(phi::kEquia));
     for (int i = 0; i < 4; ++i) m_f->window().actions().undo->trigger();
@@ -231,8 +234,8 @@ void TestPaintLayers::marksLieAlongWhatIsStiff() {
     QVERIFY(m_f->openPicture());
     ShapeCanvas& canvas = m_f->window().canvas();
     const auto project = copyOf(m_f->project());
-    designOf<2>(*project).material.regions.push_back(
-        {"all", Box<2>{{0, 0}, {240, 160}}, 0, {}, Stiffness<2>{{1, 0}, 20}});
+    designOf(*project).material.regions.push_back(
+        {"all", Box<3>{{0, 0, 0}, {240, 160, 0}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
     m_f->session().document().change(QStringLiteral("Stiff"), project);
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
@@ -254,14 +257,15 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     rest.points.resize(2, 4);
     rest.points << 0, 100, 100, 0, 0, 0, 100, 100;
     rest.cells = {{0, 1, 2}, {0, 2, 3}};
-    std::vector<MaterialRegion<2>> stroke;
-    for (int i = 0; i < 6; ++i) stroke.push_back({"s", Ball<2>{{20.0 + 8 * i, 50}, 12}, 6, 1.0, {}});
-    const auto distance = [](const std::vector<MaterialRegion<2>>& layer, const Vec<2>& p) {
+    std::vector<MaterialRegion> stroke;
+    for (int i = 0; i < 6; ++i) stroke.push_back({"s", Ball<3>{{20.0 + 8 * i, 50, 0}, 12}, 6, 1.0, {}});
+    const auto distance = [](const std::vector<MaterialRegion>& layer, const Vec<2>& p) {
         double nearest = INFINITY;
-        for (const auto& region : layer) nearest = std::min(nearest, signedDistance<2>(region.shape, p));
+        for (const auto& region : layer)
+            nearest = std::min(nearest, signedDistance<2>(inPlane(region.shape), p));
         return nearest;
     };
-    const auto check = [&](const std::vector<MaterialRegion<2>>& layer, double tolerance) {
+    const auto check = [&](const std::vector<MaterialRegion>& layer, double tolerance) {
         const RestLines lines = linesOf(layer, rest);
         if (lines.border.empty() || lines.soft.empty()) return false;
         for (const auto& line : lines.border)
@@ -273,7 +277,7 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
         return true;
     };
     QVERIFY(check(stroke, 1e-9));
-    QVERIFY(check({{"h", HalfSpace<2>{{50, 50}, {1, 1}}, 10, 1.0, {}}}, 1e-9));
+    QVERIFY(check({{"h", HalfSpace<3>{{50, 50, 0}, {1, 1, 0}}, 10, 1.0, {}}}, 1e-9));
     // Corners of the band are round outside and cut inside.
     const RestLines square =
         linesOf({{"p", Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10, 1.0, {}}}, rest);

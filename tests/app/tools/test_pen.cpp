@@ -37,8 +37,8 @@ class TestPen : public QObject {
   private:
     static void pictureAndSolid();
     template <int Dim>
-    const Handle<Dim>& handle(int h) {
-        return m_f->session().document().design<Dim>().handles.at(h);
+    const Pin& handle(int h) {
+        return m_f->session().document().design().handles.at(h);
     }
     bool isSolid() { return m_f->session().document().dimension() == 3; }
     bool open(int dimension);
@@ -121,8 +121,8 @@ std::vector<QPointF> TestPen::path(int h) {
     if (isSolid()) {
         if (const auto* curve = std::get_if<CurveMotion<3>>(&handle<3>(h).motions.back().kind))
             for (const Vec<3>& p : curve->points) seen.push_back(m_f->canvas().toWidget(p));
-    } else if (const auto* curve = std::get_if<CurveMotion<2>>(&handle<2>(h).motions.back().kind)) {
-        for (const Vec<2>& p : curve->points) seen.push_back(m_f->window().canvas().toWidget(p));
+    } else if (const auto* curve = std::get_if<CurveMotion<3>>(&handle<2>(h).motions.back().kind)) {
+        for (const Vec3& p : curve->points) seen.push_back(m_f->window().canvas().toWidget(inPlane(p)));
     }
     return seen;
 }

@@ -366,13 +366,13 @@ void TestPinGestures::widen() {
     const Vec<Dim> middle = pin<Dim>(1);
     QVERIFY(drag(from, {70, 0}, Qt::ControlModifier | Qt::ShiftModifier));
     QCOMPARE(undo().count(), steps + 1);
-    const auto* region = std::get_if<Region<Dim>>(&session().document().design<Dim>().handles[1].at);
-    const auto* ball = region ? std::get_if<Ball<Dim>>(region) : nullptr;
+    const auto* region = std::get_if<Region<3>>(&session().document().design().handles[1].at);
+    const auto* ball = region ? std::get_if<Ball<3>>(region) : nullptr;
     QVERIFY(ball);
     const double pixel = canvas.pixelSize(middle);
     QVERIFY2(std::abs(ball->radius - 70 * pixel) < 2 * pixel,
              qPrintable(QString::number(ball->radius / pixel)));
-    QVERIFY((ball->centre - middle).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((ball->centre - inSpace(middle)).norm() < 1e-9 * session().frame()->diagonal);
     // One that is wide rotates.
     QVERIFY(session().pins<Dim>()[1].points.size() > 1);
     undo().undo();
@@ -389,7 +389,7 @@ void TestPinGestures::pointsWidenToRotateAndScale() {
 template <int Dim>
 void TestPinGestures::widenByGrip() {
     QVERIFY(open<Dim>({-1.5, 0.0}));
-    const auto place = [this] { return session().document().template design<Dim>().handles[1].at; };
+    const auto place = [this] { return session().document().design().handles[1].at; };
     for (QAction* grip : {pins().turn, pins().grow}) {
         session().selection().set({1});
         const int steps = undo().index();
@@ -399,13 +399,13 @@ void TestPinGestures::widenByGrip() {
         const int radius = grip == pins().turn ? 86 : 68;
         QVERIFY(drag(middle + QPoint(0, -radius), {40, 20}));
         QCOMPARE(undo().index(), steps + 1);
-        const Placement<Dim> wide = place();
-        QVERIFY(std::holds_alternative<Region<Dim>>(wide));
+        const Placement<3> wide = place();
+        QVERIFY(std::holds_alternative<Region<3>>(wide));
         QVERIFY(session().template pins<Dim>()[1].points.size() > std::size_t{Dim});
         undo().undo();
         QVERIFY(settle(session()));
-        const Placement<Dim> point = place();
-        QVERIFY(std::holds_alternative<std::vector<Vec<Dim>>>(point));
+        const Placement<3> point = place();
+        QVERIFY(std::holds_alternative<std::vector<Vec3>>(point));
     }
     pins().move->trigger();
 }
@@ -455,13 +455,13 @@ void TestPinGestures::ringsRotatePoints() {
         moveBy(middle + QPoint(qRound(44 * std::cos(angle)), qRound(44 * std::sin(angle))), {});
     }
     QVERIFY(let(middle + QPoint(0, 44)));
-    const auto& ball = std::get<Ball<2>>(std::get<Region<2>>(session().document().design<2>().handles[1].at));
+    const auto& ball = std::get<Ball<3>>(std::get<Region<3>>(session().document().design().handles[1].at));
     const double shown =
         Bar<2>::canvas(*m_f).toShape(QPointF(0, 1)).y() - Bar<2>::canvas(*m_f).toShape(QPointF(0, 0)).y();
     const double angle = angleOf(1);
     QVERIFY2(std::abs(angle - std::copysign(std::numbers::pi / 2, shown)) < 0.03,
              qPrintable(QString::number(angle)));
-    QVERIFY((pin<2>(1) - ball.centre).norm() < 0.5 * ball.radius);  // the mean of its vertices
+    QVERIFY((pin<2>(1) - inPlane(ball.centre)).norm() < 0.5 * ball.radius);  // the mean of its vertices
 }
 
 /// The angle that the bent shape has at a point is that of the disc; without it the pin is a point again.
@@ -491,7 +491,7 @@ void TestPinGestures::pinsHoldTheirAngle() {
     session().selection().set({1});
     QTest::mouseClick(check, Qt::LeftButton, {}, QPoint(8, check->height() / 2));
     QVERIFY(!check->isChecked());
-    QVERIFY(std::holds_alternative<std::vector<Vec<2>>>(session().document().design<2>().handles[1].at));
+    QVERIFY(std::holds_alternative<std::vector<Vec3>>(session().document().design().handles[1].at));
 }
 
 /// While the ring of a point is dragged the shape is where the motion will lead it: the angle that it has
@@ -662,16 +662,16 @@ void TestPinGestures::widenByNumber() {
     QCOMPARE(radius->value(), 0.0);
     type(0.5 * Bar<Dim>::kUnit);
     QCOMPARE(undo().count(), before + 1);
-    const auto place = [this] { return session().document().template design<Dim>().handles[1].at; };
-    const auto ball = std::get<Ball<Dim>>(std::get<Region<Dim>>(place()));
+    const auto place = [this] { return session().document().design().handles[1].at; };
+    const auto ball = std::get<Ball<3>>(std::get<Region<3>>(place()));
     QCOMPARE(ball.radius, 0.5 * Bar<Dim>::kUnit);
-    QVERIFY((ball.centre - Bar<Dim>::place(0.8, 0)).norm() < 0.1 * Bar<Dim>::kUnit);
+    QVERIFY((ball.centre - inSpace(Bar<Dim>::place(0.8, 0))).norm() < 0.1 * Bar<Dim>::kUnit);
     QVERIFY(settle(session()));
     type(0);
-    const Placement<Dim> point = place();
-    const auto* points = std::get_if<std::vector<Vec<Dim>>>(&point);
+    const Placement<3> point = place();
+    const auto* points = std::get_if<std::vector<Vec3>>(&point);
     QVERIFY(points && points->size() == 1);
-    QVERIFY((points->front() - Bar<Dim>::place(0.8, 0)).norm() < 0.1 * Bar<Dim>::kUnit);
+    QVERIFY((points->front() - inSpace(Bar<Dim>::place(0.8, 0))).norm() < 0.1 * Bar<Dim>::kUnit);
     QVERIFY(settle(session()));
     QVERIFY(radius->isVisible() && radius->value() == 0);
     QCOMPARE(session().template pins<Dim>()[1].points.size(), 1U);

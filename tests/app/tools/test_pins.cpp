@@ -1,5 +1,6 @@
 // What the list of pins, the menus and the keys do with pins beside moving them, on pictures and on solids
 // from one body: locked, hidden, grouped, linked, mirrored, coloured; and what a click picks.
+#include <QComboBox>
 #include <QInputDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -62,9 +63,7 @@ class TestPins : public QObject {
     PinActions& pins() { return *m_f->window().findChild<PinActions*>(); }
     PinList& list() { return m_f->window().properties().pins(); }
     const HandleTraits& traits(int handle) {
-        return std::visit(
-            [handle](const auto& own) -> const HandleTraits& { return own.handles.at(handle).traits; },
-            m_f->session().document().design());
+        return m_f->session().document().design().handles.at(handle).traits;
     }
     QString said() { return m_f->window().statusBar()->currentMessage(); }
     template <int Dim>
@@ -446,10 +445,11 @@ void TestPins::pick() {
         const Points<Dim> corners = frame->rest->points;
         const Vec<Dim> place = Bar<Dim>::place(snaps ? -1.1 : -0.7, 0.13);
         click<Dim>(at<Dim>(place));
-        const auto& own = session().document().design<Dim>().handles.back();
-        const auto* points = std::get_if<std::vector<Vec<Dim>>>(&own.at);
+        const auto& own = session().document().design().handles.back();
+        const auto* points = std::get_if<std::vector<Vec3>>(&own.at);
         QVERIFY(points && points->size() == 1);
-        const double nearest = (corners.colwise() - points->front()).colwise().norm().minCoeff();
+        const double nearest =
+            (corners.colwise() - Vec<Dim>(points->front().template head<Dim>())).colwise().norm().minCoeff();
         QVERIFY2((nearest < 1e-9 * frame->diagonal) == snaps, qPrintable(QString::number(nearest)));
         QVERIFY(settle(session()));
     }
@@ -565,7 +565,7 @@ void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
     velocity.row(0).setConstant(0.5);
     velocity(0, 0) = 1;  // the fastest one's arrow is 30 long
     auto material = std::make_shared<Material<2>>(*frame->material);
-    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<2>({Vec<2>::UnitX(), 4}));
+    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<2>({Vec3::UnitX(), 4}));
     canvas.showMaterial(material, true);
     const double ellipse = 2 * (6 + 12 * std::log(4) / std::log(100));
     for (const double factor : {1.0, 2.0}) {

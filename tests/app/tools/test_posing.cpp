@@ -69,7 +69,7 @@ class TestPosing : public QObject {
     ShapeSession& session() { return m_window->session(); }
     ShapeCanvas& canvas() { return m_window->canvas(); }
     const Project& project() { return *session().document().project(); }
-    const std::vector<Handle<2>>& handles() { return session().document().design<2>().handles; }
+    const std::vector<Pin>& handles() { return session().document().design().handles; }
     QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
     Vec<2> pin(int h) { return session().pins()[h].centre; }
     double pixel() { return 1 / canvas().view().zoom(); }
@@ -148,7 +148,7 @@ void TestPosing::scrub(double time) {
 void TestPosing::widen(int handle, double radius) {
     const Vec<2> centre = pin(handle);
     drag(centre, centre + Vec<2>(-radius, 0), Qt::AltModifier);
-    QVERIFY(std::holds_alternative<Region<2>>(handles()[handle].at));
+    QVERIFY(std::holds_alternative<Region<3>>(handles()[handle].at));
 }
 
 /// On the screen, from the middle of a pin.
@@ -348,17 +348,17 @@ void TestPosing::ringRotatesAndScales() {
     const auto before = session().pins()[1].points;
     press(ringSpot(1, 31, -31), ringSpot(1, 31, 31));  // a quarter, clockwise
     release(ringSpot(1, 31, 31));
-    const auto* turn = std::get_if<Rotate<2>>(&handles()[1].motions.at(0).kind);
+    const auto* turn = std::get_if<Rotate<3>>(&handles()[1].motions.at(0).kind);
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.03);
     QVERIFY((pin(1) - centre).norm() < 0.5);
     const auto turned = session().pins()[1].points;
     for (std::size_t i = 0; i < turned.size(); ++i) {
-        const Vec<2> arm = before[i] - turn->centre;
-        QVERIFY((turned[i] - turn->centre - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
+        const Vec<2> hub = inPlane(turn->centre), arm = before[i] - hub;
+        QVERIFY((turned[i] - hub - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
     }
     press(ringSpot(1, 31, 31), ringSpot(1, 24, 24));
     release(ringSpot(1, 24, 24));
-    const auto* grown = std::get_if<CurveMotion<2>>(&handles()[1].motions.back().kind);
+    const auto* grown = std::get_if<CurveMotion<3>>(&handles()[1].motions.back().kind);
     QVERIFY(grown && std::abs(grown->scale - 24.0 / 31) < 0.03);
     QCOMPARE(project().end, 1.0);
     press(ringSpot(1, 31, -31), ringSpot(1, 40, -18));
@@ -388,7 +388,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     press(ringSpot(1, -90, 0), ringSpot(1, 0, -90));  // a quarter, clockwise
     QVERIFY(session().gesture() && session().gesture()->grip().kind == Grip::Kind::Turn);
     release(ringSpot(1, 0, -90));
-    const auto* turn = std::get_if<Rotate<2>>(&handles()[1].motions.at(0).kind);
+    const auto* turn = std::get_if<Rotate<3>>(&handles()[1].motions.at(0).kind);
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.01);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     QCOMPARE(handles().size(), count);
@@ -432,7 +432,7 @@ void TestPosing::pointsBecomeDiscs() {
     press(ringSpot(1, -70, 0), ringSpot(1, -70, 40));
     release(ringSpot(1, -70, 40));
     QCOMPARE(handles()[1].motions.size(), std::size_t(1));
-    QVERIFY(std::holds_alternative<Rotate<2>>(handles()[1].motions[0].kind));
+    QVERIFY(std::holds_alternative<Rotate<3>>(handles()[1].motions[0].kind));
     session().document().undoStack()->undo();
     QVERIFY(handles()[1].motions.empty());
     QTRY_COMPARE(pin(1), before);
@@ -530,7 +530,7 @@ void TestPosing::ringTakesNumbers() {
     QTest::keyClicks(&canvas(), QStringLiteral("10"));  // of which 1 is a shortcut elsewhere
     QTest::keyClick(&canvas(), Qt::Key_Return);
     release(ringSpot(1, 40, -18));
-    const auto* turn = std::get_if<Rotate<2>>(&handles()[1].motions.at(0).kind);
+    const auto* turn = std::get_if<Rotate<3>>(&handles()[1].motions.at(0).kind);
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 18) < 1e-9);
     QCOMPARE(handles()[1].motions.size(), std::size_t(1));
 }
@@ -549,7 +549,7 @@ void TestPosing::pointsHaveADottedRing() {
     session().document().undoStack()->undo();
     drag(pin(1), pin(1) + Vec<2>(0.9, 0), Qt::AltModifier);  // smaller than the mesh
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")) ||
-            std::holds_alternative<std::vector<Vec<2>>>(handles()[1].at));
+            std::holds_alternative<std::vector<Vec3>>(handles()[1].at));
     QCOMPARE(handles().size(), count);
     QVERIFY(handles()[1].motions.empty());
 }
@@ -601,7 +601,7 @@ void TestPosing::partsAreHeldByOutlines() {
     for (int i = box ? 2 : 1; i < (box ? 3 : 4); ++i) QTest::mouseMove(&canvas(), at(corners[i]));
     release(at(corners[box ? 2 : 3]));
     QCOMPARE(handles().size(), std::size_t(3));
-    QVERIFY(std::holds_alternative<Polygon>(std::get<Region<2>>(handles()[2].at)));
+    QVERIFY(std::holds_alternative<Polygon>(std::get<Region<3>>(handles()[2].at)));
     QVERIFY(m_window->actions().selectTool->isChecked());
     const auto before = session().pins()[2].points;
     QVERIFY(before.size() > 5);

@@ -313,7 +313,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
         if (box->accessibleName() == PaintPanel::tr("Direction in numbers")) boxes << box;
     std::vector<std::size_t> ends{0};  // of the strokes, which are all in one layer
     const auto regions = [&]() -> const auto& {
-        return m_f->session().document().design<3>().material.regions;
+        return m_f->session().document().design().material.regions;
     };
     const auto axes = [&](std::size_t stroke) {
         std::vector<Vec<3>> found;
@@ -345,13 +345,13 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     QVERIFY(stroke({0.5, -0.5, -0.2}, {1, -0.5, -0.2}));
     for (const Vec<3>& axis : axes(2)) QVERIFY((axis - Vec<3>(0, 0.6, 0.8)).norm() < 1e-9);
     QVERIFY(!m_f->session().frame<3>()->material->anisotropy.empty());
-    QCOMPARE(regionGroups(m_f->session().document().design<3>()).size(), std::size_t(1));
+    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(1));
     // Another ratio leaves every direction of a stroke as it is.
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
-    const Design<3> changed = withGroupPaint(m_f->session().document().design<3>(),
-                                             regionGroups(m_f->session().document().design<3>())[0].name,
-                                             MaterialPaint<3>{{}, Stiffness<3>{Vec<3>::UnitZ(), 3}}, true);
+    const Design changed = withGroupPaint(m_f->session().document().design(),
+                                          regionGroups(m_f->session().document().design())[0].name,
+                                          MaterialPaint{{}, Stiffness{Vec<3>::UnitZ(), 3}}, true);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->axis, before[0]);
     QCOMPARE(regionGroups(changed)[0].paint.stiffness->ratio, 3.0);
     m_f->window().actions().showMarks->setChecked(true);

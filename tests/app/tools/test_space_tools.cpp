@@ -30,7 +30,7 @@ class TestSpaceTools : public QObject {
 
   private:
     bool makeCurve();
-    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design<3>(), 1)->points; }
+    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
     QPoint onCurve(double v);
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -131,7 +131,7 @@ void TestSpaceTools::curveKindsByMenuAndShortcut() {
     QVERIFY(curve()[4] == before[4] && curve()[2] != before[2]);
     actions.automatic->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(jointKinds<3>(curve())[1] == JointKind::Automatic);
+    QVERIFY(jointKinds(curve())[1] == JointKind::Automatic);
 }
 
 void TestSpaceTools::rightClickOpensTheCurvesMenu() {
@@ -166,12 +166,12 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     const double size = 0.5;  // half of the end's side
     type(QStringLiteral(" °"), QString(), QStringLiteral("60"));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(std::abs(lastCurve(m_f->session().document().design<3>(), 1)->twist - M_PI / 3) < 1e-9);
-    QVERIFY(lastCurve(m_f->session().document().design<3>(), 1)->frame ==
+    QVERIFY(std::abs(lastCurve(m_f->session().document().design(), 1)->twist - M_PI / 3) < 1e-9);
+    QVERIFY(lastCurve(m_f->session().document().design(), 1)->frame ==
             FrameKind::Minimal);  // without one nothing twists
     type(QString(), QStringLiteral("×"), QStringLiteral("0.8"));
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(lastCurve(m_f->session().document().design<3>(), 1)->scale, 0.8);
+    QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 0.8);
     const Vec<3> middle = m_f->pin(1);
     double reach = 0;
     for (const int v : m_f->session().verticesOf(1))

@@ -38,7 +38,7 @@ class TestSpaceUpsets : public QObject {
 
   private:
     bool makeCurve();
-    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design<3>(), 1)->points; }
+    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
     template <class Panel>
     ExactBox* box(int index);
     std::unique_ptr<SolidFixture> m_f;
@@ -96,12 +96,12 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QTest::mouseMove(&m_f->canvas(), to + QPoint(3, 3));
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, to);
     QVERIFY(m_f->handles().empty());
-    QVERIFY(regionGroups(m_f->session().document().design<3>()).empty());
+    QVERIFY(regionGroups(m_f->session().document().design()).empty());
     settleLayout(m_f->canvas());  // what is told of the mesh changes the size of the view
     m_f->drag(m_f->at({1.9, -0.5, 0.4}),
               m_f->at({0.5, -0.5, -0.4}));  // the next one is whole; a lasso needs more than a line
     QVERIFY(tool == "lasso" ||
-            m_f->handles().size() + regionGroups(m_f->session().document().design<3>()).size() == 1);
+            m_f->handles().size() + regionGroups(m_f->session().document().design()).size() == 1);
     QVERIFY(settle(m_f->session()));
 }
 
@@ -173,11 +173,11 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
         QVERIFY(settle(m_f->session()));
     }
     m_f->session().selection().set({0});
-    m_f->click(m_f->at(lastCurve(m_f->session().document().design<3>(), 0)->points[2]));
+    m_f->click(m_f->at(lastCurve(m_f->session().document().design(), 0)->points[2]));
     const QKeyEvent key(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
     QVERIFY(m_f->canvas().viewport().tool()->ownsKey(key));  // a point is chosen
     const auto without = copyOf(m_f->project());
-    auto& handles = designOf<3>(*without).handles;
+    auto& handles = designOf(*without).handles;
     handles.erase(handles.begin());
     m_f->session().document().change(QStringLiteral("Without"), without);
     m_f->session().selection().set({0});
@@ -227,7 +227,7 @@ void TestSpaceUpsets::framesLeaveWhatIsTyped() {
     QCOMPARE(std::get<Ball<3>>(std::get<Region<3>>(m_f->handles()[2].at)).radius, 1.2);
     m_f->session().selection().set({1});
     QVERIFY(keeps(box<CurvePanel>(1)));  // the scale
-    QCOMPARE(lastCurve(m_f->session().document().design<3>(), 1)->scale, 1.2);
+    QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 1.2);
     QVERIFY(settle(m_f->session()));
 }
 
@@ -240,7 +240,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     const auto now = std::get<Ball<3>>(std::get<Region<3>>(m_f->handles()[2].at));
     QVERIFY(now.centre == Vec<3>(ball.centre.x(), 0.2, ball.centre.z()));
     QCOMPARE(now.radius, ball.radius);
-    Design<3> small = m_f->session().document().design<3>();
+    Design small = m_f->session().document().design();
     lastCurve(small, 1)->scale = 0.0123456;  // less than the box has
     lastCurve(small, 1)->twist = 0.123456789;
     lastCurve(small, 1)->frame = FrameKind::Minimal;
@@ -250,32 +250,32 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     auto* frame = m_f->window().findChild<QComboBox*>(QStringLiteral("curveFrame"));
     frame->setFocus();
     QTest::keyClick(frame, Qt::Key_Up);
-    QVERIFY(lastCurve(m_f->session().document().design<3>(), 1)->frame == FrameKind::Frenet);
-    QCOMPARE(lastCurve(m_f->session().document().design<3>(), 1)->scale, 0.0123456);
-    QCOMPARE(lastCurve(m_f->session().document().design<3>(), 1)->twist, 0.123456789);
+    QVERIFY(lastCurve(m_f->session().document().design(), 1)->frame == FrameKind::Frenet);
+    QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 0.0123456);
+    QCOMPARE(lastCurve(m_f->session().document().design(), 1)->twist, 0.123456789);
     QVERIFY(settle(m_f->session()));
 }
 
 void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
     const Vec<3> axis = Vec<3>(0.31234567, 0.6, -0.2).normalized(), other = Vec<3>::UnitY();
-    const auto regions = [&](const std::vector<std::optional<Stiffness<3>>>& all) {
-        Design<3> next = m_f->session().document().design<3>();
+    const auto regions = [&](const std::vector<std::optional<Stiffness>>& all) {
+        Design next = m_f->session().document().design();
         next.material.regions.clear();
         for (const auto& one : all)
             next.material.regions.push_back({"part", Ball<3>{{0, 0, 0}, 1}, 0.1, 1.0, one});
         return next;
     };
-    m_f->session().document().changeDesign(QStringLiteral("Part"), regions({Stiffness<3>{axis, 5}}));
+    m_f->session().document().changeDesign(QStringLiteral("Part"), regions({Stiffness{axis, 5}}));
     m_f->tool("paint")->trigger();
     auto* panel = m_f->window().findChild<LayerPanel*>();
     panel->list()->setCurrentRow(0);
     box<LayerPanel>(0)->setValue(7);
-    const auto stiffness = m_f->session().document().design<3>().material.regions[0].stiffness;
+    const auto stiffness = m_f->session().document().design().material.regions[0].stiffness;
     QVERIFY(stiffness && stiffness->ratio == 7);
     QVERIFY(stiffness->axis == axis);
     // Only what is stiff counts, whichever comes first.
-    QVERIFY(regionGroups(regions({{}, Stiffness<3>{axis, 2}, Stiffness<3>{axis, 3}}))[0].oneAxis);
-    QVERIFY(!regionGroups(regions({{}, Stiffness<3>{axis, 2}, Stiffness<3>{other, 2}}))[0].oneAxis);
+    QVERIFY(regionGroups(regions({{}, Stiffness{axis, 2}, Stiffness{axis, 3}}))[0].oneAxis);
+    QVERIFY(!regionGroups(regions({{}, Stiffness{axis, 2}, Stiffness{other, 2}}))[0].oneAxis);
     QVERIFY(settle(m_f->session()));
 }
 

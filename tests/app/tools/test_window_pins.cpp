@@ -219,14 +219,14 @@ void TestWindowPins::doublePressTakesThePinOnItsCurve() {
     const Vec<2> pin = m_window->session().pins()[1].centre;
     QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(pin.x(), pin.y()));
     QVERIFY(settle(m_window->session()));
-    QCOMPARE(lastCurve(m_window->session().document().design<2>(), 1)->points.size(), std::size_t(4));
+    QCOMPARE(lastCurve(m_window->session().document().design(), 1)->points.size(), std::size_t(4));
 }
 
 /// A right click on the curve opens its menu, but not while the left button drags.
 void TestWindowPins::menusWaitForTheGesture() {
     QVERIFY(openWithCurve());
     QVERIFY(settle(m_window->session()));
-    const Vec<2> inner = lastCurve(m_window->session().document().design<2>(), 1)->points[1];
+    const Vec3 inner = lastCurve(m_window->session().document().design(), 1)->points[1];
     ShapeCanvas& canvas = m_window->canvas();
     canvas.viewport().disconnect(SIGNAL(menuWanted(QPoint, wend::MenuPlace)));  // it would wait for an answer
     QSignalSpy menus(&canvas.viewport(), &Viewport::menuWanted);
@@ -255,14 +255,14 @@ void TestWindowPins::curvesAreEdited() {
     QVERIFY(settle(m_window->session()));
     m_window->curves().make->trigger();
     QVERIFY(settle(m_window->session()));
-    const auto curve = [&] { return lastCurve(m_window->session().document().design<2>(), 1)->points; };
+    const auto curve = [&] { return lastCurve(m_window->session().document().design(), 1)->points; };
     QCOMPARE(curve().size(), std::size_t(4));
-    const Vec<2> inner = curve()[1];
+    const Vec3 inner = curve()[1];
     dragPin(inner.x(), inner.y(), 15, 0);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(inner.x() + 15, inner.y()));
     QVERIFY(settle(m_window->session()));
-    QVERIFY((curve()[1] - inner - Vec<2>(15, 0)).norm() < 1);  // a pixel of the screen
-    const Vec<2> middle = bezierCurve<2>(curve()).pieces[0].value(0.5);
+    QVERIFY((curve()[1] - inner - Vec3(15, 0, 0)).norm() < 1);  // a pixel of the screen
+    const Vec3 middle = bezierCurve<3>(curve()).pieces[0].value(0.5);
     QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(middle.x(), middle.y()));
     QVERIFY(settle(m_window->session()));
     QCOMPARE(curve().size(), std::size_t(7));
@@ -289,7 +289,7 @@ void TestWindowPins::curvesAreEdited() {
     frame->setFocus();
     for (int i = 0; i < 2; ++i) QTest::keyClick(frame, Qt::Key_Down);
     QVERIFY(settle(m_window->session()));
-    const auto motion = [&] { return *lastCurve(m_window->session().document().design<2>(), 1); };
+    const auto motion = [&] { return *lastCurve(m_window->session().document().design(), 1); };
     QVERIFY(motion().frame == FrameKind::Minimal);
     for (QDoubleSpinBox* box : panel->findChildren<QDoubleSpinBox*>())
         if (box->isVisible()) box->setValue(1.2);
@@ -302,7 +302,7 @@ void TestWindowPins::curvesAreEdited() {
     dragPin(190, 40, 0, -8);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 32));
     QVERIFY(settle(m_window->session()));
-    QCOMPARE(m_window->session().document().design<2>().handles[1].motions.size(), std::size_t(2));
+    QCOMPARE(m_window->session().document().design().handles[1].motions.size(), std::size_t(2));
 }
 
 QTEST_MAIN(TestWindowPins)

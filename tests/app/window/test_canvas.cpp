@@ -677,13 +677,13 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
 /// The bar lies in [20, 220] × [60, 100], with a margin of two pixels, in cells of about five; what was drawn
 /// around its right end is far larger.
 void TestCanvas::partsAreFramedWhereTheyAre() {
-    for (const Region<2>& drawn :
-         {Region<2>(Box<2>{{170, 10}, {500, 300}}),
-          Region<2>(Polygon{{Vec<2>(170, 10), Vec<2>(500, 10), Vec<2>(500, 300), Vec<2>(170, 300)}})}) {
+    for (const Region<3>& drawn :
+         {Region<3>(Box<3>{{170, 10, 0}, {500, 300, 0}}),
+          Region<3>(Polygon{{Vec<2>(170, 10), Vec<2>(500, 10), Vec<2>(500, 300), Vec<2>(170, 300)}})}) {
         const auto next = copyOf(*m_session->document().project());
-        Handle<2> end;
+        Pin end;
         end.at = drawn;
-        designOf<2>(*next).handles = {end};
+        designOf(*next).handles = {end};
         m_session->document().change(QStringLiteral("Hold"), next);
         QVERIFY(settle(*m_session));
         const auto border = regionBorder(end, m_session->pins<2>().front(), *m_session->frame<2>());
@@ -723,12 +723,13 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
 
 /// Of a curve after another motion, and where it is short on the screen not one over the other.
 void TestCanvas::framesStandOnTheirPath() {
-    Design<2> next = m_session->document().design<2>();
-    Handle<2> pin;
-    pin.at = std::vector<Vec<2>>{{120, 80}};
+    Design next = m_session->document().design();
+    Pin pin;
+    pin.at = std::vector<Vec3>{{120, 80, 0}};
     pin.motions = {
-        {Translate<2>{{0, 50}}, 0, 0.5},
-        {CurveMotion<2>{Interpolation::Polyline, {{120, 130}, {200, 130}}, FrameKind::Minimal}, 0.5, 1}};
+        {Translate<3>{{0, 50, 0}}, 0, 0.5},
+        {CurveMotion<3>{Interpolation::Polyline, {{120, 130, 0}, {200, 130, 0}}, FrameKind::Minimal}, 0.5,
+         1}};
     next.handles = {pin};
     m_session->document().changeDesign(QStringLiteral("Path"), next);
     QVERIFY(settle(*m_session));

@@ -93,7 +93,7 @@ void TestFileWorkflow::recoveredWorkOpensAsUnsaved() {
     leaveLostWork(picture);
     QVERIFY(recover());
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
-    QCOMPARE(document().design<2>().handles.size(), std::size_t(1));
+    QCOMPARE(document().design().handles.size(), std::size_t(1));
     QVERIFY(document().isModified());
     QVERIFY(document().path().isEmpty());
     QCOMPARE(document().source(), picture);
@@ -149,14 +149,14 @@ void TestFileWorkflow::lostWorkIsToldBesideAnotherFile() {
     m_window->openPath(writeCutOut(*m_folder, "other.png"));
     QVERIFY(QTest::qWaitFor([&] { return !document().isEmpty(); }, 20000));
     QVERIFY(m_window->banner().text().contains("bar.png"));
-    QVERIFY(document().design<2>().handles.empty());
+    QVERIFY(document().design().handles.empty());
     QPushButton* recover = nullptr;
     for (auto* button : m_window->banner().findChildren<QPushButton*>())
         if (button->text() == "Recover") recover = button;
     QVERIFY(recover);
     QVERIFY(m_window->banner().property("offers").toBool());  // in the colour of news
     QTest::mouseClick(recover, Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return document().design<2>().handles.size() == 1; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return document().design().handles.size() == 1; }, 20000));
     QVERIFY(document().isModified());
     QVERIFY(m_window->files().lost().isEmpty());
 }
@@ -173,7 +173,7 @@ void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
     QVERIFY(QTest::qWaitFor([&] { return finished.size() == 2; }, 20000));
     QTest::qWait(300);
     QCOMPARE(document().generation(), generation);
-    QCOMPARE(document().design<2>().handles.size(), std::size_t(1));
+    QCOMPARE(document().design().handles.size(), std::size_t(1));
 }
 
 void TestFileWorkflow::samplesOpenAsCopies() {

@@ -165,7 +165,7 @@ void TestFilmTask::openSample() {
     QTest::mouseClick(memory->slider(), Qt::LeftButton, {},
                       {memory->slider()->width() - 2, memory->slider()->height() / 2});
     QVERIFY(settle(session()));
-    QVERIFY(std::isinf(session().document().design<2>().material.memory));
+    QVERIFY(std::isinf(session().document().design().material.memory));
     type(*m_f->window().findChild<TimeStrip*>()->length(), QStringLiteral("4"));
     QCOMPARE(endOf(m_f->project()), 4.0);
 }
@@ -241,14 +241,14 @@ void TestFilmTask::addLatePin() {
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().toWidget(before.col(nearest)).toPoint());
     QVERIFY(settle(session()));
     QCOMPARE(session().handleCount(), pins + 1);
-    const Handle<2>& late = session().document().design<2>().handles.back();
+    const Pin& late = session().document().design().handles.back();
     QVERIFY(late.activeFrom > 3.4 && late.activeFrom < 3.6);
     QVERIFY((session().frame<2>()->pose - before).cwiseAbs().maxCoeff() < 1e-6 * 2400);
     key(canvas(), Qt::Key_4, Qt::ControlModifier);
     settleLayout(canvas());
     show(4);
     pose(pins, {25, -30});
-    QCOMPARE(session().document().design<2>().handles.back().motions.size(), 1U);
+    QCOMPARE(session().document().design().handles.back().motions.size(), 1U);
 }
 
 void TestFilmTask::loop() {

@@ -138,7 +138,7 @@ void TestLanguage::namesOfSamplesAreSpoken() {
         m_window->openPath(path);
         const auto isOpen = [&] { return m_window->session().document().generation() > before; };
         if (!QTest::qWaitFor(isOpen, 20000)) return QString();
-        return QString::fromStdString(m_window->session().document().design<2>().handles.front().name);
+        return QString::fromStdString(m_window->session().document().design().handles.front().name);
     };
     QString giraffe;
     for (const QString& path : samplePaths())

@@ -43,7 +43,7 @@ class TestMenus : public QObject {
         QTest::mouseClick(&m_window->canvas(), button, keys, at(x, y));
     }
     QMenu* popup() const { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
-    const std::vector<Handle<2>>& handles() { return m_window->session().document().design<2>().handles; }
+    const std::vector<Pin>& handles() { return m_window->session().document().design().handles; }
 
     std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;

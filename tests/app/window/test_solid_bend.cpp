@@ -84,7 +84,7 @@ std::array<Distortion, 4> ofNamedEnergies(Project& project, const std::string& f
     std::array<Distortion, 4> errors;
     int at = 0;
     for (double phi : {phi::kEquia, phi::kMetr, phi::kAkvf, phi::conformal(3)}) {
-        designOf<3>(project).material.phi = phi;
+        designOf(project).material.phi = phi;
         errors[at++] = deformed(project, folder);
     }
     return errors;

@@ -455,7 +455,7 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
         QVERIFY(settle(session()));
     };
     addAt({1, -0.5, 0.1});
-    const int front = static_cast<int>(session().document().design<3>().handles.size()) - 1;
+    const int front = static_cast<int>(session().document().design().handles.size()) - 1;
     const auto view = [&](int handle) {
         const auto pins = session().pins<3>();
         return *std::ranges::find(pins, handle, &PinView<3>::handle);

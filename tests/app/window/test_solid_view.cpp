@@ -242,8 +242,8 @@ void TestSolidView::colourMapIsSmooth() {
 /// What is stiff at the back of the bar is told on its front, which is not; arrows there are not told.
 void TestSolidView::stiffnessShinesThrough() {
     const auto stiff = copyOf(m_f->project());
-    designOf<3>(*stiff).material.regions.push_back(
-        {"back", Box<3>{{-3, 0.2, -1}, {3, 1, 1}}, 0, {}, Stiffness<3>{{1, 0, 0}, 20}});
+    designOf(*stiff).material.regions.push_back(
+        {"back", Box<3>{{-3, 0.2, -1}, {3, 1, 1}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
     document().change(QStringLiteral("Stiffen"), stiff);
     QVERIFY(settle(m_f->session()));
     m_f->canvas().fit();

@@ -501,11 +501,11 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     holdEnds();
     const auto painted =
         copyOf(*m_f->session().document().project());  // what is painted nowhere is seen nowhere
-    MaterialRegion<3> right;
+    MaterialRegion right;
     right.shape = HalfSpace<3>{Vec<3>::Zero(), -Vec<3>::UnitX()};
     right.phi = phi::kAkvf;
-    right.stiffness = Stiffness<3>{Vec<3>::UnitZ(), 30};
-    designOf<3>(*painted).material.regions.push_back(right);
+    right.stiffness = Stiffness{Vec<3>::UnitZ(), 30};
+    designOf(*painted).material.regions.push_back(right);
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;
@@ -534,7 +534,7 @@ void TestSolidWindow::curvePointsAreDragged() {
     m_f->session().moveSelected<3>(Grip{}, {0, 0, 0.8});
     QVERIFY(settle(m_f->session()));
     const Vec<3> end = m_f->session().pins<3>()[1].centre;
-    const auto curved = withCurve(m_f->session().document().design<3>(), 1, end);
+    const auto curved = withCurve(m_f->session().document().design(), 1, end);
     QVERIFY(curved);
     m_f->session().document().changeDesign(QStringLiteral("Curve"), *curved);
     QVERIFY(settle(m_f->session()));
@@ -548,7 +548,7 @@ void TestSolidWindow::curvePointsAreDragged() {
     QVERIFY(std::abs((moved - inner).x() - 40 * m_f->canvas().pixelSize(inner)) <
             2 * m_f->canvas().pixelSize(inner));
     QVERIFY((m_f->session().pins<3>()[1].centre - end).norm() < 1e-9);
-    Design<3> framed = m_f->session().document().design<3>();
+    Design framed = m_f->session().document().design();
     auto* curve = lastCurve(framed, 1);
     curve->frame = FrameKind::Minimal;
     curve->twist = 1;
@@ -564,7 +564,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     m_f->window().tools().action(QStringLiteral("paint"))->trigger();
     m_f->drag(m_f->at({-1, -0.5, 0}), m_f->at({1, -0.5, 0}));
     QVERIFY(settle(m_f->session()));
-    const auto groups = regionGroups(m_f->session().document().design<3>());
+    const auto groups = regionGroups(m_f->session().document().design());
     QCOMPARE(groups.size(), std::size_t(1));
     QVERIFY(groups[0].count > 1);
     const auto& phi = m_f->session().frame<3>()->material->phi;
@@ -592,7 +592,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     QCOMPARE(m_f->window().distortionPanel().measure(), Measure::Length);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(regionGroups(m_f->session().document().design<3>()).empty());
+    QVERIFY(regionGroups(m_f->session().document().design()).empty());
 }
 
 void TestSolidWindow::measuresLengthAndAngle() {

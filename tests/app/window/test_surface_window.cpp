@@ -450,7 +450,7 @@ void TestSurfaceWindow::noteTellsMeshesFromMotions() {
     QVERIFY(settle(m_f->session()));
     auto* note = m_f->window().findChild<WorkNote*>();
     Document& document = m_f->session().document();
-    Design<3> design = document.design<3>();
+    Design design = document.design();
     design.material.phi += 0.2;
     note->show();
     document.changeDesign(QStringLiteral("Energy"), design);

@@ -135,16 +135,14 @@ void TestTakenOver::aLargerPictureTakesThePinsAlong() {
     pictures().replace(large);
     QVERIFY(
         QTest::qWaitFor([&] { return document().picture() && document().picture()->width == 720; }, 20000));
-    const auto placed = [&] {
-        return std::get<std::vector<Vec<2>>>(document().design<2>().handles[0].at)[0];
-    };
-    QCOMPARE(placed(), Vec<2>(180, 240));
+    const auto placed = [&] { return std::get<std::vector<Vec3>>(document().design().handles[0].at)[0]; };
+    QCOMPARE(placed(), Vec3(180, 240, 0));
     QCOMPARE(document().domain().path, large.toStdString());
     QVERIFY(told("720 × 480"));
     QCOMPARE(fits.count(), 1);  // all of it is seen
     QVERIFY(settle(m_window->session()));
     document().undoStack()->undo();
-    QCOMPARE(placed(), Vec<2>(60, 80));
+    QCOMPARE(placed(), Vec3(60, 80, 0));
     QCOMPARE(document().picture()->width, 240);
 }
 
@@ -167,7 +165,7 @@ void TestTakenOver::aPictureOfAnotherSizeIsFittedWhenOpened() {
     document().close();
     repaint(path, {480, 320});
     QVERIFY(open(project));
-    QCOMPARE(std::get<std::vector<Vec<2>>>(document().design<2>().handles[0].at)[0], Vec<2>(120, 160));
+    QCOMPARE(std::get<std::vector<Vec3>>(document().design().handles[0].at)[0], Vec3(120, 160, 0));
     QVERIFY(told("480 × 320"));
 }
 
@@ -212,17 +210,15 @@ void TestTakenOver::drawingsHaveAnySize() {
     pictures().redraw({400, 400});
     QVERIFY(
         QTest::qWaitFor([&] { return document().picture() && document().picture()->width == 400; }, 20000));
-    const auto placed = [&] {
-        return std::get<std::vector<Vec<2>>>(document().design<2>().handles[0].at)[0];
-    };
-    QVERIFY((placed() - Vec<2>(200, 200)).norm() < 1e-9);
+    const auto placed = [&] { return std::get<std::vector<Vec3>>(document().design().handles[0].at)[0]; };
+    QVERIFY((placed() - Vec3(200, 200, 0)).norm() < 1e-9);
     QVERIFY(settle(m_window->session()));
     QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
     const QString project = m_folder->filePath("drawing.wend");
     document().save(project);
     QVERIFY(open(project));
     QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
-    QVERIFY((placed() - Vec<2>(200, 200)).norm() < 1e-9);
+    QVERIFY((placed() - Vec3(200, 200, 0)).norm() < 1e-9);
 }
 
 /// Width, height and percent of the size in which a drawing opens follow each other.
@@ -245,16 +241,15 @@ void TestTakenOver::motionOfAnotherProject() {
     addPin(document(), {180, 80}, "right");
     Project moving = *document().project();
     moving.domain.path = m_folder->filePath("bar.png").toStdString();
-    moving.design = Design<2>{std::get<Design<2>>(moving.design)};
-    std::get<Design<2>>(moving.design).handles[1].motions = {{Translate<2>{{0, -20}}, 0, 2}};
+    moving.design.handles[1].motions = {{Translate<3>{{0, -20, 0}}, 0, 2}};
     moving.end = 2;
     const QString file = m_folder->filePath("moving.wend");
     writeProject(file.toStdString(), moving);
     m_window->findChild<MotionChooser*>()->apply(file);
     QVERIFY(QTest::qWaitFor([&] { return document().end() == 2; }, 60000));
-    const auto& handles = document().design<2>().handles;
+    const auto& handles = document().design().handles;
     QVERIFY(handles[0].motions.empty());
-    QCOMPARE(std::get<Translate<2>>(handles[1].motions[0].kind).by, Vec<2>(0, -20));
+    QCOMPARE(std::get<Translate<3>>(handles[1].motions[0].kind).by, Vec3(0, -20, 0));
     QCOMPARE(document().undoStack()->undoText(), QString("Apply motion of moving.wend"));
     m_window->findChild<MotionChooser*>()->apply(m_folder->filePath("none.wend"));
     QVERIFY(told("This motion cannot be applied"));
@@ -291,7 +286,7 @@ void TestTakenOver::groupsBecomePins() {
     QVERIFY(groups.list()->isVisible());
     groups.list()->setCurrentRow(0);
     QTest::mouseClick(groups.holdButton(), Qt::LeftButton);
-    const auto& handles = document().design<2>().handles;
+    const auto& handles = document().design().handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(handles[0].name, std::string("left"));
     QCOMPARE(std::get<std::vector<int>>(handles[0].at), std::vector<int>({0, 1, 2, 3}));

@@ -98,14 +98,14 @@ void TestTutorial::isTakenByHand() {
     QCOMPARE(card().page(), 2);
     click(1703, 363);
     QVERIFY(settle(session));
-    QCOMPARE(document.design<2>().handles.size(), std::size_t(5));
+    QCOMPARE(document.design().handles.size(), std::size_t(5));
     QCOMPARE(card().page(), 2);  // it was not dragged yet
     drag(1703, 363, 1850, 800);
     QCOMPARE(card().page(), 3);
-    const double phi = document.design<2>().material.phi;
+    const double phi = document.design().material.phi;
     QTest::mouseClick(m_window->materialPanel().energySlider()->findChildren<QToolButton*>().last(),
                       Qt::LeftButton);
-    QVERIFY(document.design<2>().material.phi != phi);
+    QVERIFY(document.design().material.phi != phi);
     QCOMPARE(card().page(), 4);
     m_canvas->setFocus();
     press(Qt::Key_D);
@@ -114,7 +114,7 @@ void TestTutorial::isTakenByHand() {
     QVERIFY(settle(session));
     const Vec<2> neck = session.frame<2>()->pose.col(0);  // wherever it is now, it is of the shape
     drag(neck.x(), neck.y(), neck.x() + 20, neck.y() + 20);
-    QCOMPARE(document.design<2>().material.regions.size(), std::size_t(1));
+    QCOMPARE(document.design().material.regions.size(), std::size_t(1));
     QCOMPARE(card().page(), 6);
     press(Qt::Key_K);
     QCOMPARE(card().page(), 7);

@@ -177,8 +177,7 @@ void TestWholeTask::rename(int handle, const QString& name) {
     editor->setText(name);
     QTest::keyClick(editor, Qt::Key_Return);
     const auto named = [&] {
-        const std::string now = std::visit([&](const auto& design) { return design.handles.at(handle).name; },
-                                           m_f->project().design);
+        const std::string& now = m_f->project().design.handles.at(handle).name;
         return now == name.toStdString() && list().rowOf(handle)->text(PinList::Name) == name;
     };
     QVERIFY(QTest::qWaitFor(named, 20000));
@@ -260,14 +259,12 @@ void TestWholeTask::bendAndPaint() {
     const QPoint from = pin<Dim>(3);
     draw({from, from + QPoint(10, -60)});
     QVERIFY(done("a drag"));
-    const auto curve = [this] {
-        return lastCurve(m_f->session().document().template design<Dim>(), 3)->points;
-    };
+    const auto curve = [this] { return lastCurve(m_f->session().document().design(), 3)->points; };
     m_f->window().curves().make->trigger();
     QVERIFY(done("a path"));
     m_f->window().curves().insert->trigger();
     QVERIFY(done("a point of the path"));
-    const QPoint point = Bar<Dim>::canvas(*m_f).toWidget(curve()[2]).toPoint();
+    const QPoint point = Bar<Dim>::canvas(*m_f).onScreen(curve()[2]).toPoint();
     draw({point, point + QPoint(-30, 10)});
     QVERIFY(done("a point that is dragged"));
     key(Qt::Key_Home);

@@ -187,9 +187,9 @@ void TestWholeTexts::bend() {
 
 void TestWholeTexts::paintLayers() {
     const auto project = copyOf(*m_f->session().document().project());
-    auto& regions = designOf<2>(*project).material.regions;
-    regions.push_back({"Neck and shoulders", Box<2>{{0, 0}, {100, 160}}, 3, 1.5, {}});
-    regions.push_back({"Tail", Box<2>{{100, 0}, {240, 160}}, 0, {}, Stiffness<2>{{1, 0}, 20}});
+    auto& regions = designOf(*project).material.regions;
+    regions.push_back({"Neck and shoulders", Box<3>{{0, 0, 0}, {100, 160, 0}}, 3, 1.5, {}});
+    regions.push_back({"Tail", Box<3>{{100, 0, 0}, {240, 160, 0}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
     m_f->session().document().change(QStringLiteral("Layers"), project);
     QVERIFY(settle(m_f->session()));
     window().properties().layers().list()->setCurrentRow(0);

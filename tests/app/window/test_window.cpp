@@ -173,15 +173,15 @@ void TestWindow::energySliderIsOneStep() {
     for (int value = 1200; value <= 2600; value += 100) slider->setSliderPosition(value);
     slider->setSliderDown(false);
     QCOMPARE(undo.count(), steps + 1);
-    const double phi = m_window->session().document().design<2>().material.phi;
+    const double phi = m_window->session().document().design().material.phi;
     QVERIFY(phi > phi::kAkvf && phi < phi::conformal(2));
     undo.undo();
-    QCOMPARE(m_window->session().document().design<2>().material.phi, phi::kMetr);
+    QCOMPARE(m_window->session().document().design().material.phi, phi::kMetr);
     QCOMPARE(slider->value(), 1000);
     slider->setSliderDown(true);
     slider->setSliderPosition(2020);  // near a stop
     slider->setSliderDown(false);
-    QCOMPARE(m_window->session().document().design<2>().material.phi, phi::kAkvf);
+    QCOMPARE(m_window->session().document().design().material.phi, phi::kAkvf);
 }
 
 void TestWindow::stopLabelsChooseTheNamedEnergies() {
@@ -193,7 +193,7 @@ void TestWindow::stopLabelsChooseTheNamedEnergies() {
             if (label->text() != stop.name) continue;
             ++found;
             QTest::mouseClick(label, Qt::LeftButton);
-            QCOMPARE(m_window->session().document().design<2>().material.phi, stop.phi);
+            QCOMPARE(m_window->session().document().design().material.phi, stop.phi);
             QVERIFY(label->isChecked());
         }
     }
@@ -357,9 +357,9 @@ void TestWindow::springingBackIsOffered() {
     m_window->actions().loop->trigger();
     changeSetting(document, "material.memory", 0);
     QVERIFY(settle(session) && !banner.isVisible());
-    QVERIFY(!comesBack<2>(document.design<2>().handles.back()));
+    QVERIFY(!comesBack(document.design().handles.back()));
     lead(200, 100, 0, -20);
-    QVERIFY(comesBack<2>(document.design<2>().handles.back()));
+    QVERIFY(comesBack(document.design().handles.back()));
     QVERIFY(banner.isVisible() && banner.property("offers").toBool());
     QTest::mouseClick(banner.findChild<QPushButton*>(), Qt::LeftButton);
     QVERIFY(settle(session) && !banner.isVisible());
@@ -376,7 +376,7 @@ void TestWindow::dragsPoseAtTheShownTime() {
     QVERIFY(bend());
     ShapeSession& session = m_window->session();
     const auto motions = [&]() -> const auto& {
-        return session.document().design<2>().handles.back().motions;
+        return session.document().design().handles.back().motions;
     };
     const double end = session.playback().end();
     const Points<2> last = session.frame<2>()->pose;
@@ -771,8 +771,8 @@ void TestWindow::whatIsNotComputedYetIsNotExported() {
     QVERIFY(settle(m_window->session()));
     Document& document = m_window->session().document();
     const auto next = copyOf(*document.project());
-    Handle<2>& pin = designOf<2>(*next).handles[0];
-    pin.motions.push_back({Translate<2>{Vec<2>(0, 20)}, 0, 1, Ease::Linear, {}});
+    Pin& pin = designOf(*next).handles[0];
+    pin.motions.push_back({Translate<3>{Vec3(0, 20, 0)}, 0, 1, Ease::Linear, {}});
     document.change(QStringLiteral("Move"), next);  // what is shown has not moved yet
     bool asked = false;
     QTimer::singleShot(0, this, [&asked] {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
 #include "core/base/message.h"
 #include "core/mesh/simplicial_mesh.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 
@@ -22,7 +22,7 @@ template <int Dim>
 struct HeldShape {
     const Project& project;
     const SimplicialMesh<Dim>& rest;
-    std::vector<Handle<Dim>> handles;
+    std::vector<Pin> handles;
 };
 
 /// Returns `target` with the motion of `source`: the motions of handles of the same name (of several, in

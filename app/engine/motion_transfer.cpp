@@ -1,4 +1,4 @@
-#include "app/project/edits/motion_transfer.h"
+#include "app/engine/motion_transfer.h"
 
 #include <algorithm>
 #include <map>
@@ -18,24 +18,26 @@ namespace wend {
 namespace {
 
 /// The map between the bounding boxes of two shapes, axis by axis, and the ratio of the shapes' sizes.
-template <int Dim>
 struct Proportion {
-    Vec<Dim> from, to, factors;
+    Vec3 from, to, factors;
     double scale = 1;
 
+    template <int Dim>
     Proportion(const SimplicialMesh<Dim>& source, const SimplicialMesh<Dim>& target) {
         const ShapeSize<Dim> a = shapeSize<Dim>(source.points, source.cells),
                              b = shapeSize<Dim>(target.points, target.cells);
         scale = b.size / a.size;
         const auto [lowA, highA] = cornersOf(source);
         const auto [lowB, highB] = cornersOf(target);
-        from = lowA, to = lowB;
-        factors = (highB - lowB).cwiseQuotient(highA - lowA);
+        from = inSpace(lowA), to = inSpace(lowB);
+        factors = Vec3::Ones();
+        factors.head<Dim>() = (highB - lowB).cwiseQuotient(highA - lowA);
     }
-    Vec<Dim> operator()(const Vec<Dim>& p) const { return to + factors.cwiseProduct(p - from); }
+    Vec3 operator()(const Vec3& p) const { return to + factors.cwiseProduct(p - from); }
 
   private:
     /// Returns the corners of the box around the vertices of cells.
+    template <int Dim>
     static std::pair<Vec<Dim>, Vec<Dim>> cornersOf(const SimplicialMesh<Dim>& mesh) {
         Vec<Dim> low = mesh.points.col(mesh.cells.front()[0]), high = low;
         for (const Cell<Dim>& cell : mesh.cells)
@@ -47,19 +49,18 @@ struct Proportion {
     }
 };
 
-template <int Dim>
-Region<Dim> inProportion(Region<Dim> region, const Proportion<Dim>& proportion) {
-    const auto carry = [&](Vec<Dim>& p) { p = proportion(p); };
+Region<3> inProportion(Region<3> region, const Proportion& proportion) {
+    const auto carry = [&](Vec3& p) { p = proportion(p); };
     std::visit(
         [&]<class Shape>(Shape& shape) {
             if constexpr (std::is_same_v<Shape, Polygon>) {
-                std::ranges::for_each(shape.points, carry);
-            } else if constexpr (std::is_same_v<Shape, Ball<Dim>>) {
+                for (Vec<2>& p : shape.points) p = inPlane(proportion(inSpace(p)));
+            } else if constexpr (std::is_same_v<Shape, Ball<3>>) {
                 carry(shape.centre);
                 shape.radius *= proportion.scale;
-            } else if constexpr (std::is_same_v<Shape, Box<Dim>>) {
+            } else if constexpr (std::is_same_v<Shape, Box<3>>) {
                 carry(shape.min), carry(shape.max);
-            } else if constexpr (std::is_same_v<Shape, HalfSpace<Dim>>) {
+            } else if constexpr (std::is_same_v<Shape, HalfSpace<3>>) {
                 carry(shape.point);
                 shape.normal = (shape.normal * proportion.scale).cwiseQuotient(proportion.factors).eval();
             } else {
@@ -71,18 +72,18 @@ Region<Dim> inProportion(Region<Dim> region, const Proportion<Dim>& proportion) 
 }
 
 /// Returns the middle of a region that has one.
-template <int Dim>
-std::optional<Vec<Dim>> middleOf(const Region<Dim>& region) {
+std::optional<Vec3> middleOf(const Region<3>& region) {
     return std::visit(
-        []<class Shape>(const Shape& shape) -> std::optional<Vec<Dim>> {
+        []<class Shape>(const Shape& shape) -> std::optional<Vec3> {
             if constexpr (std::is_same_v<Shape, Polygon>) {
-                Vec<Dim> sum = Vec<Dim>::Zero();
-                for (const Vec<Dim>& p : shape.points) sum += p;
-                return Vec<Dim>(sum / static_cast<double>(std::max<std::size_t>(shape.points.size(), 1)));
-            } else if constexpr (std::is_same_v<Shape, Ball<Dim>>) {
+                Vec<2> sum = Vec<2>::Zero();
+                for (const Vec<2>& p : shape.points) sum += p;
+                return inSpace(
+                    Vec<2>(sum / static_cast<double>(std::max<std::size_t>(shape.points.size(), 1))));
+            } else if constexpr (std::is_same_v<Shape, Ball<3>>) {
                 return shape.centre;
-            } else if constexpr (std::is_same_v<Shape, Box<Dim>>) {
-                return Vec<Dim>((shape.min + shape.max) / 2);
+            } else if constexpr (std::is_same_v<Shape, Box<3>>) {
+                return Vec3((shape.min + shape.max) / 2);
             } else {
                 return std::nullopt;
             }
@@ -96,32 +97,32 @@ class Places {
   public:
     explicit Places(const SimplicialMesh<Dim>& rest) : m_rest(rest), m_placer(rest, m_units) {}
 
-    std::vector<Vec<Dim>> pointsOf(const Handle<Dim>& handle) const {
-        std::vector<Vec<Dim>> points;
-        for (const ConstrainedPoint& point : m_placer.place(handle, 0)) {
+    std::vector<Vec3> pointsOf(const Pin& handle) const {
+        std::vector<Vec3> points;
+        for (const ConstrainedPoint& point : m_placer.place(handleIn<Dim>(handle), 0)) {
             Vec<Dim> p = Vec<Dim>::Zero();
             for (const auto& [vertex, weight] : point.terms) p += weight * m_rest.points.col(vertex);
-            points.push_back(p);
+            points.push_back(inSpace(p));
         }
         return points;
     }
 
-    bool has(const Handle<Dim>& handle) const {
+    bool has(const Pin& handle) const {
         try {
-            return !m_placer.place(handle, 0).empty();
+            return !m_placer.place(handleIn<Dim>(handle), 0).empty();
         } catch (const InputError&) {
             return false;
         }
     }
 
     /// Returns the middle of what a handle holds; nothing for a half of space and the like.
-    std::optional<Vec<Dim>> anchorOf(const Handle<Dim>& handle) const {
-        if (const auto* region = std::get_if<Region<Dim>>(&handle.at)) return middleOf<Dim>(*region);
-        const auto* own = std::get_if<std::vector<Vec<Dim>>>(&handle.at);
-        const std::vector<Vec<Dim>> points = own ? *own : pointsOf(handle);
-        Vec<Dim> sum = Vec<Dim>::Zero();
-        for (const Vec<Dim>& p : points) sum += p;
-        return Vec<Dim>(sum / static_cast<double>(points.size()));
+    std::optional<Vec3> anchorOf(const Pin& handle) const {
+        if (const auto* region = std::get_if<Region<3>>(&handle.at)) return middleOf(*region);
+        const auto* own = std::get_if<std::vector<Vec3>>(&handle.at);
+        const std::vector<Vec3> points = own ? *own : pointsOf(handle);
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& p : points) sum += p;
+        return Vec3(sum / static_cast<double>(points.size()));
     }
 
   private:
@@ -133,11 +134,10 @@ class Places {
 /// A name of handles, and which of those with that name.
 using Rank = std::pair<std::string, int>;
 
-template <int Dim>
-std::vector<Rank> ranksOf(const std::vector<Handle<Dim>>& handles) {
+std::vector<Rank> ranksOf(const std::vector<Pin>& handles) {
     std::map<std::string, int> seen;
     std::vector<Rank> ranks;
-    for (const Handle<Dim>& handle : handles) ranks.emplace_back(handle.name, seen[handle.name]++);
+    for (const Pin& handle : handles) ranks.emplace_back(handle.name, seen[handle.name]++);
     return ranks;
 }
 
@@ -163,7 +163,7 @@ class Transfer {
     TransferredMotion result() {
         auto project = std::make_shared<Project>(m_target.project);
         takeTimes(*project);
-        takeHandles(designOf<Dim>(*project).handles);
+        takeHandles(designOf(*project).handles);
         std::vector<Message> notices;
         const auto tell = [&](const std::vector<std::string>& names, const Sentence& what) {
             if (!names.empty()) notices.emplace_back(what, listed(names));
@@ -183,14 +183,14 @@ class Transfer {
         project.frameRate = m_source.project.frameRate;
         project.cycle = m_source.project.cycle;
         project.settle = m_source.project.settle;
-        designOf<Dim>(project).material.memory = designOf<Dim>(m_source.project).material.memory;
+        designOf(project).material.memory = designOf(m_source.project).material.memory;
     }
 
-    void takeHandles(std::vector<Handle<Dim>>& handles) {
+    void takeHandles(std::vector<Pin>& handles) {
         const auto& others = m_source.handles;
-        const std::vector<Rank> ranks = ranksOf<Dim>(handles), otherRanks = ranksOf<Dim>(others);
+        const std::vector<Rank> ranks = ranksOf(handles), otherRanks = ranksOf(others);
         int links = 0;
-        for (const Handle<Dim>& handle : handles) links = std::max(links, handle.traits.link);
+        for (const Pin& handle : handles) links = std::max(links, handle.traits.link);
         for (std::size_t h = 0; h < handles.size(); ++h) {
             const auto found = std::ranges::find(otherRanks, ranks[h]);
             if (found == otherRanks.end())
@@ -203,36 +203,40 @@ class Transfer {
             if (std::ranges::find(ranks, otherRanks[h]) == ranks.end()) add(others[h], links, handles);
     }
 
-    void holdStill(Handle<Dim>& handle) {
+    void holdStill(Pin& handle) {
         handle.motions.clear();
-        handle.activeFrom = Handle<Dim>().activeFrom, handle.activeTo = Handle<Dim>().activeTo;
+        handle.activeFrom = Pin().activeFrom, handle.activeTo = Pin().activeTo;
         m_still.push_back(handle.name);
     }
 
     /// Gives a handle, which is at the place of `held`, the motion of its namesake.
-    void move(Handle<Dim>& handle, const Handle<Dim>& held, const Handle<Dim>& other) const {
-        const std::optional<Vec<Dim>> from = m_sourcePlaces.anchorOf(other),
-                                      to = m_targetPlaces.anchorOf(held);
-        Carrying<Dim> carry{m_proportion.from, m_proportion.to, m_proportion.scale};
+    void move(Pin& handle, const Pin& held, const Pin& other) const {
+        const std::optional<Vec3> from = m_sourcePlaces.anchorOf(other), to = m_targetPlaces.anchorOf(held);
+        Carrying carry{m_proportion.from, m_proportion.to, m_proportion.scale};
         if (from) carry = {*from, to ? *to : m_proportion(*from), m_proportion.scale};
         handle.activeFrom = other.activeFrom, handle.activeTo = other.activeTo;
         handle.motions.clear();
-        for (const Motion<Dim>& motion : other.motions) {
-            Motion<Dim> own = carried<Dim>(motion, carry);
-            if (auto* field = std::get_if<FieldMotion<Dim>>(&own.kind)) renumber(*field);
+        for (const PinMotion& motion : other.motions) {
+            PinMotion own = carried(motion, carry);
+            if (auto* field = std::get_if<FieldMotion<3>>(&own.kind)) renumber(*field);
             handle.motions.push_back(std::move(own));
         }
     }
 
+    static Vec3 restPoint(const HeldShape<Dim>& shape, int vertex) {
+        return inSpace(Vec<Dim>(shape.rest.points.col(vertex)));
+    }
+
     /// Gives each vertex the displacement of the nearest one in proportion, if both shapes differ.
-    void renumber(FieldMotion<Dim>& field) const {
+    void renumber(FieldMotion<3>& field) const {
         if (m_source.rest.vertexCount() == m_target.rest.vertexCount() || field.values->empty()) return;
         Points<Dim> places(Dim, static_cast<Eigen::Index>(field.values->size()));
         for (Eigen::Index k = 0; k < places.cols(); ++k)
             places.col(k) =
-                m_proportion(m_source.rest.points.col((*field.values)[static_cast<std::size_t>(k)].first));
+                m_proportion(restPoint(m_source, (*field.values)[static_cast<std::size_t>(k)].first))
+                    .template head<Dim>();
         const PointLocator<Dim> nearest(places, {});
-        auto values = std::make_shared<Displacements<Dim>>();
+        auto values = std::make_shared<Displacements<3>>();
         for (int v = 0; v < m_target.rest.vertexCount(); ++v)
             if (const int k = nearest.nearestVertex(m_target.rest.points.col(v)); k >= 0)
                 values->emplace_back(v, (*field.values)[static_cast<std::size_t>(k)].second);
@@ -240,8 +244,8 @@ class Transfer {
     }
 
     /// Adds a handle of the source, if there is a place for it.
-    void add(const Handle<Dim>& other, int links, std::vector<Handle<Dim>>& handles) {
-        Handle<Dim> handle = other;
+    void add(const Pin& other, int links, std::vector<Pin>& handles) {
+        Pin handle = other;
         if (handle.traits.link != 0) handle.traits.link += links;
         const auto& parts = m_target.rest.parts;
         if (std::ranges::find(parts, handle.part, &MeshPart::name) == parts.end()) handle.part.clear();
@@ -256,21 +260,21 @@ class Transfer {
     }
 
     /// Places a handle on the group of the same name, if the target's file has it.
-    bool placeOnGroup(Handle<Dim>& handle) const {
+    bool placeOnGroup(Pin& handle) const {
         const auto name = std::ranges::find(handle.extras, "/at", [](const auto& one) { return one.first; });
         if (name == handle.extras.end() || name->second.find("\"group\"") == std::string::npos) return false;
         Project trial = m_target.project;
-        Handle<Dim> named = handle;
+        Pin named = handle;
         named.at = std::vector<int>();
         std::erase_if(named.extras, [](const auto& extra) { return extra.first != "/at"; });
         named.normal.reset(), named.motions.clear();
-        designOf<Dim>(trial).handles = {named};
+        designOf(trial).handles = {named};
         try {
             findNamedPlaces(trial, m_folder);
         } catch (const InputError&) {
             return false;
         }
-        named = designOf<Dim>(trial).handles.front();
+        named = designOf(trial).handles.front();
         if (!m_targetPlaces.has(named)) return false;
         handle.at = named.at;
         const Extras place = named.extras;
@@ -279,21 +283,21 @@ class Transfer {
         return true;
     }
 
-    bool placeInProportion(Handle<Dim>& handle, const Handle<Dim>& other) const {
+    bool placeInProportion(Pin& handle, const Pin& other) const {
         handle.extras = withoutNames(handle.extras);
-        if (const auto* region = std::get_if<Region<Dim>>(&other.at))
-            handle.at = inProportion<Dim>(*region, m_proportion);
-        else if (const auto* points = std::get_if<std::vector<Vec<Dim>>>(&other.at))
+        if (const auto* region = std::get_if<Region<3>>(&other.at))
+            handle.at = inProportion(*region, m_proportion);
+        else if (const auto* points = std::get_if<std::vector<Vec3>>(&other.at))
             handle.at = inside(*points, handle);
         else
             handle.at = vertices(m_sourcePlaces.pointsOf(other));
         return m_targetPlaces.has(handle);
     }
 
-    std::vector<Vec<Dim>> inside(const std::vector<Vec<Dim>>& points, Handle<Dim> handle) const {
-        std::vector<Vec<Dim>> found;
-        for (const Vec<Dim>& p : points) {
-            handle.at = std::vector<Vec<Dim>>{m_proportion(p)};
+    std::vector<Vec3> inside(const std::vector<Vec3>& points, Pin handle) const {
+        std::vector<Vec3> found;
+        for (const Vec3& p : points) {
+            handle.at = std::vector<Vec3>{m_proportion(p)};
             if (m_targetPlaces.has(handle)) found.push_back(m_proportion(p));
         }
         return found;
@@ -301,20 +305,21 @@ class Transfer {
 
     /// Returns the vertices that are nearest to such points: their numbers in a mesh from a file, otherwise
     /// their places.
-    Placement<Dim> vertices(const std::vector<Vec<Dim>>& points) const {
+    Placement<3> vertices(const std::vector<Vec3>& points) const {
         std::set<int> found;
-        for (const Vec<Dim>& p : points)
-            if (const int v = m_locator.nearestVertex(m_proportion(p)); v >= 0) found.insert(v);
+        for (const Vec3& p : points)
+            if (const int v = m_locator.nearestVertex(m_proportion(p).template head<Dim>()); v >= 0)
+                found.insert(v);
         if (m_target.project.domain.kind == DomainKind::Mesh)
             return std::vector<int>(found.begin(), found.end());
-        std::vector<Vec<Dim>> places;
-        for (const int v : found) places.push_back(m_target.rest.points.col(v));
+        std::vector<Vec3> places;
+        for (const int v : found) places.push_back(restPoint(m_target, v));
         return places;
     }
 
     const HeldShape<Dim> m_source, m_target;
     const std::string& m_folder;
-    const Proportion<Dim> m_proportion;
+    const Proportion m_proportion;
     const PointLocator<Dim> m_locator;  // in the target
     const Places<Dim> m_sourcePlaces{m_source.rest}, m_targetPlaces{m_target.rest};
     std::vector<std::string> m_added, m_lost, m_still;

@@ -1,0 +1,114 @@
+#include "app/project/pin.h"
+
+namespace wend {
+namespace {
+
+/// Converts the parts of handles between coordinates of the plane and of space.
+template <int From, int To>
+struct Coordinates {
+    static Vec<To> point(const Vec<From>& p) {
+        if constexpr (To == 2)
+            return inPlane(p);
+        else
+            return inSpace(p);
+    }
+    static Region<To> region(const Region<From>& region) {
+        if constexpr (To == 2)
+            return inPlane(region);
+        else
+            return inSpace(region);
+    }
+    static std::vector<Vec<To>> points(const std::vector<Vec<From>>& all) {
+        std::vector<Vec<To>> result;
+        result.reserve(all.size());
+        for (const Vec<From>& p : all) result.push_back(point(p));
+        return result;
+    }
+
+    static Translate<To> kind(const Translate<From>& move) { return {point(move.by)}; }
+    static Rotate<To> kind(const Rotate<From>& rotate) {
+        if constexpr (To == 2)
+            return {point(rotate.centre), Vec<2>::Zero(), rotate.axis.z() < 0 ? -rotate.angle : rotate.angle};
+        else
+            return {point(rotate.centre), Vec3::UnitZ(), rotate.angle};
+    }
+    static CurveMotion<To> kind(const CurveMotion<From>& curve) {
+        return {curve.interpolation, points(curve.points), curve.frame, curve.twist, curve.scale};
+    }
+    static Recorded<To> kind(const Recorded<From>& stroke) { return {stroke.times, points(stroke.points)}; }
+    static FieldMotion<To> kind(const FieldMotion<From>& field) {
+        Displacements<To> values;
+        values.reserve(field.values->size());
+        for (const auto& [vertex, by] : *field.values) values.emplace_back(vertex, point(by));
+        return {field.file, field.array, std::make_shared<const Displacements<To>>(std::move(values))};
+    }
+    static PoseMotion<To> kind(const PoseMotion<From>& motion) {
+        PoseMotion<To> result{motion.file, motion.times, {}, motion.hasOwnTimes};
+        for (const RigidPose<From>& pose : motion.poses) {
+            RigidPose<To>& own = result.poses.emplace_back();
+            own.position = point(pose.position);
+            if constexpr (To == 2)
+                own.rotation[0] = pose.rotation.z();
+            else
+                own.rotation = {0, 0, pose.rotation[0]};
+        }
+        return result;
+    }
+
+    static Motion<To> motion(const Motion<From>& motion) {
+        Motion<To> result{{}, motion.start, motion.end, motion.ease, motion.extras};
+        std::visit([&](const auto& own) { result.kind = kind(own); }, motion.kind);
+        return result;
+    }
+    static Placement<To> placement(const Placement<From>& at) {
+        if (const auto* own = std::get_if<Region<From>>(&at)) return region(*own);
+        if (const auto* own = std::get_if<std::vector<Vec<From>>>(&at)) return points(*own);
+        return std::get<std::vector<int>>(at);
+    }
+    static Slide<To> slide(const Slide<From>& slide) {
+        if (!slide.mesh) return {slide.file, nullptr};
+        GuideMesh<To> mesh;
+        mesh.points = Points<To>::Zero(To, slide.mesh->points.cols());
+        mesh.points.template topRows<2>() = slide.mesh->points.template topRows<2>();
+        mesh.triangles = slide.mesh->triangles;
+        mesh.segments = slide.mesh->segments;
+        return {slide.file, std::make_shared<const GuideMesh<To>>(std::move(mesh))};
+    }
+    static Handle<To> handle(const Handle<From>& handle) {
+        Handle<To> result{handle.name,       placement(handle.at), {},
+                          handle.activeFrom, handle.activeTo,      handle.extras};
+        for (const Motion<From>& own : handle.motions) result.motions.push_back(motion(own));
+        result.slides = handle.slides;
+        if (handle.normal) result.normal = point(*handle.normal);
+        if (handle.slide) result.slide = slide(*handle.slide);
+        result.traits = handle.traits;
+        result.part = handle.part;
+        return result;
+    }
+};
+
+using Flat = Coordinates<3, 2>;
+using Solid = Coordinates<2, 3>;
+
+}  // namespace
+
+Placement<2> inPlane(const Placement<3>& at) {
+    return Flat::placement(at);
+}
+Motion<2> inPlane(const PinMotion& motion) {
+    return Flat::motion(motion);
+}
+Handle<2> inPlane(const Pin& pin) {
+    return Flat::handle(pin);
+}
+Placement<3> inSpace(const Placement<2>& at) {
+    return Solid::placement(at);
+}
+PinMotion inSpace(const Motion<2>& motion) {
+    return Solid::motion(motion);
+}
+Pin inSpace(const Handle<2>& handle) {
+    return Solid::handle(handle);
+}
+
+}  // namespace wend
