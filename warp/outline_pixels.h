@@ -15,7 +15,7 @@ namespace wend {
 /// The samples in eight rows of places, eight to a pixel, that a triangle covers in one row of pixels.
 class SampleRows {
   public:
-    /// `y`: of the row. The triangle lies between the columns of pixels `left` and `right`.
+    /// Handles row `y`, in which the triangle covers the pixels between columns `left` and `right`.
     SampleRows(const TriangleRows& rows, int y, double left, double right);
 
     /// Return the first pixel with a sample, and the one after the last.

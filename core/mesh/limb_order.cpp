@@ -293,9 +293,8 @@ class BodyTree {
         return limbs;
     }
 
-    /// Connects pieces of a body that are no farther from one another by discs along the shortest way, as
-    /// through the neck between a head and a chest that are as thick: what lies beside it leads from arm to
-    /// arm.
+    /// Connects the pieces of a body that are within `farthest` of one another by discs along the shortest
+    /// path between them. A head and a chest of the same thickness, for example, are joined through the neck.
     template <typename Within, typename IsBody>
     void bridge(const std::vector<int>& seeds, const Within& within, const IsBody& isBody, double farthest) {
         std::map<int, int> pieceOf;

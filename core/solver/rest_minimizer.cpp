@@ -327,7 +327,7 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         }
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
         if (isLive && most <= descent.tolerance && m_energy.unfoldedPart(shape, step) >= 1) {
-            // Whether W falls by so small a step need not be looked at: the next frame goes on from there.
+            // W is not evaluated after so small a step, since the next frame continues from here.
             shape += step;
             if (descent.keep) descent.keep(shape);
             small = true;

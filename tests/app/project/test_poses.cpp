@@ -73,6 +73,18 @@ std::optional<Project> posed(const Project& project, int handle, double time, co
     return withPose(project, gesture, {placeAt<Dim>(project, handle, time)});
 }
 
+/// Returns the place at time t of vertex 7, which starts from `start` and follows the first handle.
+Vec3 vertexAt(const Project& project, double t, const Vec3& start) {
+    Vec3 place = start;
+    for (const auto& motion : project.design.handles[0].motions) {
+        const auto map = Trajectory<3>(motion).at(t, Side::Before);
+        place = map.position(place);
+        if (const auto* field = std::get_if<FieldMotion<3>>(&motion.kind))
+            place += map.share * field->values->front().second;
+    }
+    return place;
+}
+
 }  // namespace
 
 void TestPoses::leadsThroughTheNewPose() {
@@ -217,16 +229,6 @@ void TestPoses::scalingsAndFieldsAreSplitExactly() {
         const Vec3 by = 0.5 * Vec3::Unit(0) - 0.7 * Vec3::Unit(1);
         const auto after = posed<Dim>(before, 0, time, by);
         QVERIFY(after);
-        const auto at = [&](const Project& project, double t, const Vec3& p) {  // of vertex 7
-            Vec3 place = p;
-            for (const auto& one : project.design.handles[0].motions) {
-                const auto map = Trajectory<3>(one).at(t, Side::Before);
-                place = map.position(place);
-                if (const auto* field = std::get_if<FieldMotion<3>>(&one.kind))
-                    place += map.share * field->values->front().second;
-            }
-            return place;
-        };
         const auto isBeside = [&](const Project& project, const Vec3& displacement) {
             double worst = 0;
             for (int k = 0; k <= 80; ++k) {
@@ -235,8 +237,9 @@ void TestPoses::scalingsAndFieldsAreSplitExactly() {
                     std::clamp(std::min((t - 2) / (time - 2), (3 - t) / (3 - time)), 0.0, 1.0);
                 for (int i = 0; i < Dim; ++i) {
                     const Vec3 p = Vec3::Unit(i);
-                    worst = std::max(worst,
-                                     (at(project, t, p) - at(before, t, p) - factor * displacement).norm());
+                    worst = std::max(
+                        worst,
+                        (vertexAt(project, t, p) - vertexAt(before, t, p) - factor * displacement).norm());
                 }
             }
             return worst < 1e-12;
@@ -283,20 +286,11 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
         grows.scale = 2;
         motion.kind = grows;
     }
-    const auto at = [](const Project& project, double t) {  // of vertex 7
-        Vec3 place(1, 0, 0);
-        for (const auto& one : project.design.handles[0].motions) {
-            const auto map = Trajectory<3>(one).at(t, Side::Before);
-            place = map.position(place);
-            if (const auto* field = std::get_if<FieldMotion<3>>(&one.kind))
-                place += map.share * field->values->front().second;
-        }
-        return place;
-    };
+    const Vec3 start = Vec3::Unit(0);
     const auto after = posed<2>(before, 0, kTime, by);
     QVERIFY(after);
-    QVERIFY((at(*after, kTime) - at(before, kTime) - by).norm() < 1e-12);
-    const double way = (at(before, 3) - at(before, 2)).norm();
+    QVERIFY((vertexAt(*after, kTime, start) - vertexAt(before, kTime, start) - by).norm() < 1e-12);
+    const double way = (vertexAt(before, 3, start) - vertexAt(before, 2, start)).norm();
     for (int k = 0; k <= 80; ++k) {
         const double t = k / 20.0, s = t - 2;
         const double share = easing == int(Ease::In)    ? s * s
@@ -307,7 +301,7 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
                                                                    : key * key * (3 - 2 * key);
         const bool isOut = t <= 2 || t >= 3;
         const double factor = isOut ? 0 : t <= kTime ? share / there : (1 - share) / (1 - there);
-        const double off = (at(*after, t) - at(before, t) - factor * by).norm();
+        const double off = (vertexAt(*after, t, start) - vertexAt(before, t, start) - factor * by).norm();
         const bool isExact = isOut || (easing == int(Ease::In) && t <= kTime);
         QVERIFY2(off < (isExact ? 1e-12 : kOff * (way + by.norm())), qPrintable(QString::number(off)));
     }
@@ -315,7 +309,8 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
     removed.design = withoutKeys(after->design, {{0, kTime}});
     QCOMPARE(removed.design.handles[0].motions.size(), std::size_t(2));
     if (easing != int(Ease::InOut)) return;  // the only one that both ends tell
-    for (int k = 0; k <= 80; ++k) QVERIFY((at(removed, k / 20.0) - at(before, k / 20.0)).norm() < 1e-12);
+    for (int k = 0; k <= 80; ++k)
+        QVERIFY((vertexAt(removed, k / 20.0, start) - vertexAt(before, k / 20.0, start)).norm() < 1e-12);
 }
 
 void TestPoses::evenRotationsStayRotations_data() {
