@@ -276,10 +276,10 @@ class Stage {
         return drawn ? FramePtr(drawn->request.frame) : FramePtr();
     }
     QPointF pin() {
-        for (const auto& pin : session().template pins<Dim>()) {
+        for (const auto& pin : session().pins()) {
             if (pin.handle != 1) continue;
-            if constexpr (Dim == 3) return solid().toWidget(pin.centre);
-            if constexpr (Dim == 2) return m_window.canvas().toWidget(pin.centre);
+            if constexpr (Dim == 3) return solid().onScreen(pin.centre);
+            if constexpr (Dim == 2) return m_window.canvas().onScreen(pin.centre);
         }
         throw std::runtime_error("the shape has no pin");
     }

@@ -1,5 +1,7 @@
 #include "app/panels/balance_panel.h"
 
+#include <QVBoxLayout>
+
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/project/options/settings.h"

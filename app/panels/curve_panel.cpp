@@ -84,8 +84,7 @@ bool CurvePanel::holdsPart() const {
             return view.handle == single() && view.points.size() > 1;
         });
     };
-    return many(m_session.pins<2>(true)) || many(m_session.pins<3>(true)) || many(m_session.ghosts<2>()) ||
-           many(m_session.ghosts<3>());
+    return many(m_session.pins(true)) || many(m_session.ghosts());
 }
 
 /// A disabled field explains why, first in its tooltip.
@@ -99,7 +98,6 @@ void CurvePanel::allowTurning(bool allow) {
 }
 
 /// The last one that has begun, or the first.
-template <int Dim>
 int CurvePanel::shownMotion() const {
     const auto& motions = m_session.document().design().handles[single()].motions;
     int shown = motions.empty() ? -1 : 0;
@@ -110,24 +108,20 @@ int CurvePanel::shownMotion() const {
 
 void CurvePanel::changeEase() {
     if (single() < 0 || !m_session.mayChange(single())) return showCurve();
-    const int motion = dimension() == 2 ? shownMotion<2>() : shownMotion<3>();
+    const int motion = shownMotion();
     m_session.document().changeDesign(
         tr("Change easing"), withMotionEase(m_session.document().design(), {{single(), motion}},
                                             kEases.at(static_cast<std::size_t>(m_ease->currentIndex()))));
 }
 
 void CurvePanel::change() {
-    if (single() >= 0) dimension() == 2 ? changeOf<2>() : changeOf<3>();
-}
-
-template <int Dim>
-void CurvePanel::changeOf() {
+    if (single() < 0) return;
     Design next = m_session.document().design();
     CurveMotion<3>* curve = lastCurve(next, single());
     if (!curve) return;
     // Unchanged fields keep their exact value.
     const double twist = m_twist->exact();
-    if (Dim == 3 && twist != curve->twist * kDegrees) curve->twist = twist / kDegrees;
+    if (dimension() == 3 && twist != curve->twist * kDegrees) curve->twist = twist / kDegrees;
     curve->scale = m_scale->exact();
     curve->frame = static_cast<FrameKind>(m_frame->currentIndex());
     if (curve->twist != 0 && curve->frame == FrameKind::None) curve->frame = FrameKind::Minimal;
@@ -136,17 +130,10 @@ void CurvePanel::changeOf() {
 }
 
 void CurvePanel::showCurve() {
-    if (single() < 0)
-        hide();
-    else
-        dimension() == 2 ? show<2>() : show<3>();
-}
-
-template <int Dim>
-void CurvePanel::show() {
+    if (single() < 0) return hide();
     const CurveMotion<3>* curve = lastCurve(m_session.document().design(), single());
     const bool canMake = !curve && canMakeCurve(m_session);
-    const int motion = shownMotion<Dim>();
+    const int motion = shownMotion();
     setVisible(motion >= 0);
     if (motion >= 0) {
         const Ease ease = m_session.document().design().handles[single()].motions[motion].ease;
@@ -155,7 +142,7 @@ void CurvePanel::show() {
     m_curve->setVisible(curve);
     m_make->setVisible(canMake);
     if (!curve) return;
-    m_twistRow->setVisible(Dim == 3);
+    m_twistRow->setVisible(dimension() == 3);
     allowTurning(holdsPart());
     m_frame->setCurrentIndex(static_cast<int>(curve->frame));
     m_twist->put(curve->twist * kDegrees);

@@ -25,16 +25,11 @@ class CurvePanel : public QWidget {
     void arrange();
     void showCurve();
     void change();
-    template <int Dim>
-    void show();
-    template <int Dim>
-    void changeOf();
     int dimension() const { return m_session.document().dimension(); }
     int single() const { return m_session.singleHandle(); }
     bool holdsPart() const;
     void allowTurning(bool allow);
     void changeEase();
-    template <int Dim>
     int shownMotion() const;
 
     ShapeSession& m_session;

@@ -1,6 +1,7 @@
 #include "app/panels/flow_panel.h"
 
 #include <QPushButton>
+#include <QSlider>
 #include <cmath>
 
 #include "app/panels/fields/memory_slider.h"

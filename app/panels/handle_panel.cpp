@@ -80,13 +80,11 @@ void HandlePanel::arrange() {
 }
 
 /// Returns the centre of the selected handles that act now; in the plane without z.
-template <int Dim>
-std::optional<Vec<3>> HandlePanel::middle() const {
-    std::vector<Vec<Dim>> centres;
-    for (const auto& pin : m_session.pins<Dim>(true))
+std::optional<Vec3> HandlePanel::middle() const {
+    std::vector<Vec3> centres;
+    for (const PinView& pin : m_session.pins(true))
         if (m_session.selection().contains(pin.handle)) centres.push_back(pin.centre);
-    if (centres.empty()) return {};
-    return inSpace(meanOf<Dim>(centres));
+    return centres.empty() ? std::nullopt : std::optional(meanOf(centres));
 }
 
 /// Places the numbers: in the plane beside the kind of step, in space in a row of their own.
@@ -113,7 +111,7 @@ void HandlePanel::showStep() {
 
 void HandlePanel::apply() {
     for (ExactBox* box : m_numbers) box->interpretText();
-    const auto centre = isSolid() ? middle<3>() : middle<2>();
+    const auto centre = middle();
     if (!centre) return;
     const int kind = m_kind->currentIndex();
     Grip grip;
@@ -123,7 +121,7 @@ void HandlePanel::apply() {
     Amount amount(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value());
     if (kind == 1) amount = {amount[0] / kDegrees, 0, 0};
     if (kind == 2) amount = {amount[0] - 1, 0, 0};
-    isSolid() ? m_session.moveSelected<3>(grip, amount) : m_session.moveSelected<2>(grip, amount);
+    m_session.moveSelected(grip, amount);
 }
 
 void HandlePanel::showHandle() {
@@ -135,7 +133,7 @@ void HandlePanel::showHandle() {
     if (!any) return;
     const double size = m_session.frame() ? m_session.frame()->diagonal : 1;
     const double unit = std::pow(10, std::floor(std::log10(size > 0 ? size : 1)) - 5);
-    const auto centre = isSolid() ? middle<3>() : middle<2>();
+    const auto centre = middle();
     const QString none = tr("does not hold now");
     allow(m_apply, centre.has_value(), none);
     if (!centre) return m_place->setText(none);

@@ -30,8 +30,7 @@ class HandlePanel : public QWidget {
     void placeNumbers();
     void changeEvent(QEvent* event) override;
     void apply();
-    template <int Dim>
-    std::optional<Vec<3>> middle() const;
+    std::optional<Vec3> middle() const;
     bool isSolid() const { return m_session.document().dimension() == 3; }
 
     ShapeSession& m_session;

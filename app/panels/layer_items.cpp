@@ -25,15 +25,11 @@ QIcon rimmed(const QPixmap& swatch) {
 
 }  // namespace
 
-template <int Dim>
-QIcon layerSwatch(const MaterialPaint& paint) {
+QIcon layerSwatch(const MaterialPaint& paint, int dimension) {
     QPixmap pixmap(kLayerSwatch, kLayerSwatch);
-    pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, Dim)) : kStiffColour);
+    pixmap.fill(paint.phi ? energyColour(stopOfPhi(*paint.phi, dimension)) : kStiffColour);
     return rimmed(pixmap);
 }
-
-template QIcon layerSwatch<2>(const MaterialPaint&);
-template QIcon layerSwatch<3>(const MaterialPaint&);
 
 QIcon graySwatch() {
     QPixmap pixmap(kLayerSwatch, kLayerSwatch);

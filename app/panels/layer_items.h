@@ -8,8 +8,7 @@
 namespace wend {
 
 /// Returns a square in the colour of the layer's energy, or of stiffness if it only changes that.
-template <int Dim>
-QIcon layerSwatch(const MaterialPaint& paint);
+QIcon layerSwatch(const MaterialPaint& paint, int dimension);
 /// Returns a square from black to white, for values that come from a picture or differ per cell.
 QIcon graySwatch();
 

@@ -287,7 +287,6 @@ void LayerPanel::hideEvent(QHideEvent* event) {
     tellChosen();
 }
 
-template <int Dim>
 void LayerPanel::fill() {
     const Design& design = m_session.document().design();
     const auto groups = regionGroups(design);
@@ -295,7 +294,8 @@ void LayerPanel::fill() {
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
         const QString name = QString::fromStdString(group->name);
         QListWidgetItem* item = itemAt(row++);
-        item->setIcon(group->pictures.any() ? graySwatch() : layerSwatch<Dim>(group->paint));
+        item->setIcon(group->pictures.any() ? graySwatch()
+                                            : layerSwatch(group->paint, m_session.document().dimension()));
         item->setText(name.isEmpty() ? tr("Unnamed") : name);
         item->setData(kGroup, name);
         item->setData(kCells, false);
@@ -325,9 +325,7 @@ void LayerPanel::showLayers() {
     const bool nameless = isNameless(), cells = isCells();
     {
         const QSignalBlocker quiet(m_list);
-        if (m_session.document().isEmpty()) m_list->clear();
-        if (m_session.document().dimension() == 2) fill<2>();
-        if (m_session.document().dimension() == 3) fill<3>();
+        m_session.document().isEmpty() ? m_list->clear() : fill();
     }
     select(nameless, cells);
 }

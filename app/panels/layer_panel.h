@@ -59,7 +59,6 @@ class LayerPanel : public QWidget {
     void remove();
     bool isCells() const;
     QListWidgetItem* itemAt(int row);
-    template <int Dim>
     void fill();
     void showGroup();
     void changePaint();

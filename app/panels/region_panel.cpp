@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 
-#include "app/engine/motion/pose_places.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/region_numbers.h"
@@ -49,35 +48,27 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     showHandle();
 }
 
-template <int Dim>
-std::optional<Placement<Dim>> RegionPanel::place() const {
+std::optional<Region<3>> RegionPanel::region() const {
     const int handle = m_session.singleHandle();
-    if (handle < 0 || m_session.document().dimension() != Dim) return {};
-    return placementIn<Dim>(m_session.document().design().handles[static_cast<std::size_t>(handle)].at);
-}
-
-template <int Dim>
-std::optional<Region<Dim>> RegionPanel::region() const {
-    const auto at = place<Dim>();
-    const auto* own = at ? std::get_if<Region<Dim>>(&*at) : nullptr;
+    if (handle < 0) return {};
+    const auto* own = std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
     return own ? std::optional(*own) : std::nullopt;
 }
 
 /// Returns the radius of a disc or a ball; 0 for a point.
-template <int Dim>
 std::optional<double> RegionPanel::radius() const {
-    const auto now = region<Dim>();
-    const auto* ball = now ? std::get_if<Ball<Dim>>(&*now) : nullptr;
+    const auto now = region();
+    const auto* ball = now ? std::get_if<Ball<3>>(&*now) : nullptr;
     if (ball) return ball->radius;
-    return holdsPoint<Dim>(m_session, m_session.singleHandle()) ? std::optional(0.0) : std::nullopt;
+    return holdsPoint(m_session, m_session.singleHandle()) ? std::optional(0.0) : std::nullopt;
 }
 
 /// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
-    const auto frame = m_session.frame<3>();
-    const auto now = region<3>();
+    const FramePtr frame = m_session.frame();
+    const auto now = region();
     if (!now || !frame || next == *now) return;
-    if (verticesInside<3>(next, *frame->rest).empty()) {
+    if (frame->verticesInside(next).empty()) {
         m_count->setText(tr("There is no vertex in this region: nothing was changed."));
         return;
     }
@@ -88,16 +79,11 @@ void RegionPanel::apply(const Region<3>& next) {
 }
 
 /// Emits a notice and rejects a radius that is too small to contain a vertex.
-template <int Dim>
-void RegionPanel::widen() {
-    const int handle = m_session.singleHandle();
-    if (!widenPin<Dim>(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
-        showHandle();
-}
-
 void RegionPanel::applyRadius() {
-    if (radius<2>()) widen<2>();
-    if (radius<3>()) widen<3>();
+    const int handle = m_session.singleHandle();
+    if (radius() &&
+        !widenPin(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
+        showHandle();
 }
 
 /// Updates after a change of the shape; poses change nothing here.
@@ -109,34 +95,26 @@ void RegionPanel::takeFrame() {
 void RegionPanel::showHandle() {
     const FramePtr& frame = m_session.frame();
     m_mesh = frame ? frame->shape : nullptr;
-    const auto solid = region<3>();
-    const bool isSolid = solid && RegionNumbers::canShow(*solid);
-    const int handle = m_session.singleHandle();
-    const bool point = holdsPoint<2>(m_session, handle) || holdsPoint<3>(m_session, handle);
-    const auto wide = place<2>() ? radius<2>() : radius<3>();
-    setVisible(frame && (isSolid || wide));
-    m_numbers->setVisible(isSolid);
+    const auto now = region();
+    const bool hasNumbers = isSolid() && now && RegionNumbers::canShow(*now);
+    const auto wide = radius();
+    setVisible(frame && (hasNumbers || wide));
+    m_numbers->setVisible(hasNumbers);
     m_radiusRow->setVisible(wide.has_value());
-    m_count->setVisible(!point);
-    m_holdsAngle->setVisible(place<2>() && wide);
+    m_count->setVisible(!holdsPoint(m_session, m_session.singleHandle()));
+    m_holdsAngle->setVisible(!isSolid() && wide);
     m_holdsAngle->setChecked(wide && *wide > 0);
     if (!frame) return;
-    if (isSolid) m_numbers->showRegion(*solid, frame->diagonal);
+    if (hasNumbers) m_numbers->showRegion(*now, frame->diagonal);
     if (wide) showRadius(*wide, frame->diagonal);
-    if (region<2>()) showCount<2>();
-    if (isSolid) showCount<3>();
+    if (now && (hasNumbers || !isSolid()))
+        m_count->setText(tr("Vertices: %n", nullptr, static_cast<int>(frame->verticesInside(*now).size())));
 }
 
 /// Shows the radius with decimals that depend on the size of the shape; whole pixels in a picture.
 void RegionPanel::showRadius(double radius, double diagonal) {
-    m_radius->showDigits(place<2>() ? 2 : digitsFor(diagonal));
+    m_radius->showDigits(isSolid() ? digitsFor(diagonal) : 2);
     m_radius->put(radius);
-}
-
-template <int Dim>
-void RegionPanel::showCount() {
-    const auto held = verticesInside<Dim>(*region<Dim>(), *m_session.frame<Dim>()->rest);
-    m_count->setText(tr("Vertices: %n", nullptr, static_cast<int>(held.size())));
 }
 
 }  // namespace wend

@@ -25,18 +25,11 @@ class RegionPanel : public QWidget {
     void showHandle();
     void takeFrame();
     void apply(const Region<3>& region);
-    template <int Dim>
-    std::optional<Placement<Dim>> place() const;
-    template <int Dim>
-    std::optional<Region<Dim>> region() const;
-    template <int Dim>
-    void widen();
-    template <int Dim>
+    bool isSolid() const { return m_session.document().dimension() == 3; }
+    std::optional<Region<3>> region() const;
     std::optional<double> radius() const;
     void applyRadius();
     void showRadius(double radius, double diagonal);
-    template <int Dim>
-    void showCount();
 
     ShapeSession& m_session;
     RegionNumbers* m_numbers;

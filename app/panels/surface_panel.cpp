@@ -1,6 +1,7 @@
 #include "app/panels/surface_panel.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>

@@ -33,9 +33,8 @@ std::vector<Amount> alongCurve(const std::vector<Vec3>& points) {
 
 /// Returns whether handles are of parts that a frame does not have.
 bool lacksPart(const Document& document, const FramePtr& shown) {
-    const auto frame = document.dimension() == 2 ? posed<2>(shown) : nullptr;
-    if (!frame) return false;
-    const std::vector<MeshPart>& parts = frame->rest->parts;
+    if (document.dimension() != 2 || !shown) return false;
+    const std::vector<MeshPart>& parts = shown->parts();
     return std::ranges::any_of(document.design().handles, [&](const Pin& handle) {
         return !handle.part.empty() && std::ranges::find(parts, handle.part, &MeshPart::name) == parts.end();
     });
@@ -59,17 +58,15 @@ double ShapeGesture::time() const {
     return m_drag ? m_from : m_playback.time();
 }
 
-template <int Dim>
-std::vector<PinView<Dim>> ShapeGesture::carriedAlong(std::vector<PinView<Dim>> views) const {
+std::vector<PinView> ShapeGesture::carriedAlong(std::vector<PinView> views) const {
     if (!m_drag) return views;
     const Amount amount = m_drag->amount();
-    for (const PinView<Dim>& start : std::get<std::vector<PinView<Dim>>>(m_grabbed))
-        for (PinView<Dim>& view : views) {
+    for (const PinView& start : m_grabbed)
+        for (PinView& view : views) {
             if (view.handle != start.handle) continue;
             view = start;
-            for (Vec<Dim>& p : view.points)
-                p = carried(m_drag->grip(), amount, inSpace(p)).template head<Dim>();
-            view.centre = carried(m_drag->grip(), amount, inSpace(start.centre)).template head<Dim>();
+            for (Vec3& p : view.points) p = carried(m_drag->grip(), amount, p);
+            view.centre = carried(m_drag->grip(), amount, start.centre);
         }
     return views;
 }
@@ -114,17 +111,11 @@ std::vector<int> ShapeGesture::movableHandles() {
 }
 
 /// Remembers where the handles are.
-template <int Dim>
 void ShapeGesture::takeHold(const std::vector<int>& handles) {
-    auto& grabbed = std::get<std::vector<PinView<Dim>>>(m_grabbed);
-    grabbed = m_pins.at<Dim>(time(), true, true);
-    std::erase_if(grabbed, [&](const auto& view) {
+    m_grabbed = m_pins.at(time(), true, true);
+    std::erase_if(m_grabbed, [&](const auto& view) {
         return std::find(handles.begin(), handles.end(), view.handle) == handles.end();
     });
-}
-
-void ShapeGesture::takeHold(const std::vector<int>& handles) {
-    m_document.dimension() == 2 ? takeHold<2>(handles) : takeHold<3>(handles);
 }
 
 void ShapeGesture::begin(const Grip& grip, bool records) {
@@ -232,20 +223,19 @@ void ShapeGesture::drop() {
     m_waits.stop();
 }
 
-template <int Dim>
-void ShapeGesture::nudge(const Vec<Dim>& by) {
+void ShapeGesture::nudge(const Vec3& by) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
     QString key = QStringLiteral("nudge");
     for (const int h : handles) key += QStringLiteral(" %1").arg(h);
-    takeHold<Dim>(handles);
+    takeHold(handles);
     const DragGesture drag(handles, {});
     const double time = m_motion.gestureTime();
     const bool atTheEnd = takesTheEnd(*m_document.project(), time);
     if (m_poses &&
         motionEnd(*m_document.project()) > 0) {  // each step is a pose of its own, in one undo step
         const QString pose = QStringLiteral("pose ") + key + QStringLiteral(" %1").arg(time);
-        return push<Dim>(drag, {{Amount::Zero(), inSpace(by)}, {}}, time, pose);
+        return push(drag, {{Amount::Zero(), by}, {}}, time, pose);
     }
     // the first of several paths moves the playhead to the end
     const QString earlier = QStringLiteral("earlier ") + key;
@@ -253,18 +243,16 @@ void ShapeGesture::nudge(const Vec<Dim>& by) {
         if (atTheEnd && m_document.merges(last))
             return m_document.change(
                 ShapeSession::tr("Move %1").arg(m_pins.nameOf(handles)),
-                withLongerStroke(*m_document.project(), handles, inSpace(by), armOf<Dim>(drag), last == key),
-                last);
-    push<Dim>(drag, {{Amount::Zero(), inSpace(by)}, {}}, time, atTheEnd ? key : earlier);
+                withLongerStroke(*m_document.project(), handles, by, armOf(drag), last == key), last);
+    push(drag, {{Amount::Zero(), by}, {}}, time, atTheEnd ? key : earlier);
 }
 
-template <int Dim>
 void ShapeGesture::moveAtOnce(const Grip& grip, const Amount& amount) {
     if (amount == Amount::Zero()) return;
     const auto handles = movableHandles();
     if (handles.empty()) return;
-    takeHold<Dim>(handles);
-    push<Dim>(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, m_motion.gestureTime());
+    takeHold(handles);
+    push(DragGesture(handles, grip), {{Amount::Zero(), amount}, {}}, m_motion.gestureTime());
 }
 
 /// Keeps its own timing unless it is appended at the end, so that parallel motions continue.
@@ -285,26 +273,18 @@ void ShapeGesture::followCurve(const std::vector<Vec3>& points) {
 }
 
 /// Returns the mean distance of the handles from the gesture's centre: the lever arm of rotation and scaling.
-template <int Dim>
 double ShapeGesture::armOf(const DragGesture& drag) const {
     double sum = 0;
     int count = 0;
     const bool moves = drag.grip().kind == Grip::Kind::Move;
-    for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
-        for (const Vec<Dim>& p : view.points) {
-            sum += (p - (moves ? view.centre : Vec<Dim>(drag.grip().centre.template head<Dim>()))).norm();
+    for (const PinView& view : m_grabbed)
+        for (const Vec3& p : view.points) {
+            sum += (p - (moves ? view.centre : drag.grip().centre)).norm();
             ++count;
         }
     return std::max(sum / std::max(count, 1), m_motion.pixel());
 }
 
-void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key,
-                        const std::vector<Amount>& curve) {
-    m_document.dimension() == 2 ? push<2>(drag, path, from, key, curve)
-                                : push<3>(drag, path, from, key, curve);
-}
-
-template <int Dim>
 void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double from, const QString& key,
                         const std::vector<Amount>& curve) {
     const bool records = !path.seconds.empty();
@@ -313,23 +293,22 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                          : drag.grip().kind == Grip::Kind::Turn ? ShapeSession::tr("Rotate %1")
                          : drag.grip().kind == Grip::Kind::Grow ? ShapeSession::tr("Scale %1")
                                                                 : ShapeSession::tr("Move %1");
-    std::vector<Vec<Dim>> starts(drag.handles().size(), Vec<Dim>::Zero());
-    for (const auto& view : std::get<std::vector<PinView<Dim>>>(m_grabbed))
+    std::vector<Vec3> starts(drag.handles().size(), Vec3::Zero());
+    for (const PinView& view : m_grabbed)
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (drag.handles()[i] == view.handle) starts[i] = view.centre;
     const Project& project = *m_document.project();
     // An unreachable target that ended the motion early would stop this motion, too.
     const bool endsAll = !records && !m_motion.isBusy() && !m_motion.track().isEmpty() &&
                          m_motion.track().lastTime() <= from && !takesTheEnd(project, from);
-    const Gesture gesture{drag.handles(),   drag.grip(),  path.points, from,
-                          armOf<Dim>(drag), path.seconds, curve,       endsAll};
+    const Gesture gesture{drag.handles(), drag.grip(),  path.points, from,
+                          armOf(drag),    path.seconds, curve,       endsAll};
     if (m_poses && !records && curve.empty() && motionEnd(project) > 0 &&
-        pushPose<Dim>(gesture, starts, what.arg(m_pins.nameOf(drag.handles())), key))
+        pushPose(gesture, starts, what.arg(m_pins.nameOf(drag.handles())), key))
         return;
     const std::vector<Pin> before = m_document.design().handles;
     const bool lengthens = !records && takesTheEnd(project, from) && hasOwnTiming(project);
-    m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture(project, gesture, inSpace(starts)),
-                      key);
+    m_document.change(what.arg(m_pins.nameOf(drag.handles())), withGesture(project, gesture, starts), key);
     // Recordings are shown by playing them, and others may be recorded at the same time.
     m_playback.setTime(records ? from : m_playback.end());
     const QString next = !records        ? QString()
@@ -339,15 +318,14 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                                          : ShapeSession::tr(
                                                "K plays it; draw the paths of other pins from the same "
                                                "time, and they move together.");
-    tellReplaced<Dim>(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
+    tellReplaced(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
     if (lengthens)
         emit notice(ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
 }
 
 /// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a
 /// step of the arrow keys moves the last pose.
-template <int Dim>
-bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
+bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& starts, const QString& step,
                             const QString& key) {
     const Project& project = *m_document.project();
     const bool appends = key.isEmpty() && takesTheEnd(project, gesture.from);
@@ -360,8 +338,8 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
                                  "pins on instead."));
             return true;
         }
-    const std::optional<Project> next = appends ? withPoseAppended(project, gesture, inSpace(starts))
-                                                : withPose(project, gesture, inSpace(starts));
+    const std::optional<Project> next =
+        appends ? withPoseAppended(project, gesture, starts) : withPose(project, gesture, starts);
     if (!next) return false;
     if (const FramePtr& frame = m_motion.frame(); !appends && frame && frame->live) {
         m_motion.showLive(atTime(frame, gesture.from));  // until the exact shape of this time is known
@@ -380,7 +358,6 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>&
 }
 
 /// A gesture replaces the later motion of its own handles or, if they have none, of all.
-template <int Dim>
 void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
                                 const QString& otherwise) {
     Design replaced;
@@ -395,14 +372,5 @@ void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vecto
                         .arg(m_pins.nameOf(own)));
     }
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                            \
-    template std::vector<PinView<Dim>> ShapeGesture::carriedAlong<Dim>(std::vector<PinView<Dim>>) const; \
-    template void ShapeGesture::nudge<Dim>(const Vec<Dim>&);                                             \
-    template void ShapeGesture::moveAtOnce<Dim>(const Grip&, const Amount&)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

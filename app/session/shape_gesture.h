@@ -4,7 +4,6 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,8 +35,7 @@ class ShapeGesture : public QObject {
     /// Returns the time at which handles are shown: that of the drag's start, or the shown time.
     double time() const;
     /// Returns the pins with dragged ones at the pointer: they follow at once, the shape later.
-    template <int Dim>
-    std::vector<PinView<Dim>> carriedAlong(std::vector<PinView<Dim>> views) const;
+    std::vector<PinView> carriedAlong(std::vector<PinView> views) const;
     /// Returns the handles that are not locked, and emits a notice about locked ones.
     std::vector<int> unlocked(std::vector<int> handles);
 
@@ -53,9 +51,7 @@ class ShapeGesture : public QObject {
     /// Forgets the drag without signals, for another file.
     void drop();
 
-    template <int Dim>
-    void nudge(const Vec<Dim>& by);
-    template <int Dim>
+    void nudge(const Vec3& by);
     void moveAtOnce(const Grip& grip, const Amount& amount);
     void followCurve(const std::vector<Vec3>& points);
 
@@ -69,10 +65,7 @@ class ShapeGesture : public QObject {
 
   private:
     std::vector<int> movableHandles();
-    template <int Dim>
     void takeHold(const std::vector<int>& handles);
-    void takeHold(const std::vector<int>& handles);
-    template <int Dim>
     double armOf(const DragGesture& drag) const;
     void lead();
     void follow(const FramePtr& frame);
@@ -81,13 +74,8 @@ class ShapeGesture : public QObject {
     void end(const TimedPath& path);
     void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
               const std::vector<Amount>& curve = {});
-    template <int Dim>
-    void push(const DragGesture& drag, const TimedPath& path, double from, const QString& key = {},
-              const std::vector<Amount>& curve = {});
-    template <int Dim>
-    bool pushPose(const Gesture& gesture, const std::vector<Vec<Dim>>& starts, const QString& step,
+    bool pushPose(const Gesture& gesture, const std::vector<Vec3>& starts, const QString& step,
                   const QString& key);
-    template <int Dim>
     void tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
                       const QString& otherwise);
 
@@ -99,7 +87,7 @@ class ShapeGesture : public QObject {
     std::optional<DragGesture> m_drag;
     double m_from = 0;  // when it began, by the clock of the motion
     /// The handles of the gesture at its start.
-    std::tuple<std::vector<PinView<2>>, std::vector<PinView<3>>> m_grabbed;
+    std::vector<PinView> m_grabbed;
     bool m_records = false;   // every drag
     bool m_poses = false;     // a drag sets a pose at its time
     bool m_keepsWay = false;  // a drag after one at the end of the film is another move

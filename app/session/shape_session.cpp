@@ -1,6 +1,5 @@
 #include "app/session/shape_session.h"
 
-#include "app/engine/shape/mesh_parts.h"
 #include "app/project/design.h"
 #include "app/project/edits/free_name.h"
 #include "app/project/edits/handle_edits.h"
@@ -61,31 +60,27 @@ int ShapeSession::singleHandle() const {
     return selected.front() < handleCount() ? selected.front() : -1;
 }
 
-template <int Dim>
-int ShapeSession::addPin(const Vec<Dim>& p) {
-    const auto shape = frame<Dim>();
-    return shape ? addPin<Dim>(PointLocator<Dim>(shape->pose, shape->rest->cells).find(p)) : -1;
+int ShapeSession::addPin(const Vec3& p) {
+    return frame() ? addPin(frame()->find(p)) : -1;
 }
 
-template <int Dim>
-int ShapeSession::addPin(const std::optional<Location<Dim>>& place) {
-    const auto shape = frame<Dim>();
+int ShapeSession::addPin(const std::optional<Place>& place) {
+    const FramePtr shape = frame();
     if (!place) emit notice(tr("No pin was set: this place lies outside the shape."));
     if (!place || !shape) return -1;
-    return addHandle<Dim>(std::vector<Vec<Dim>>{positionOf<Dim>(*place, *shape->rest, shape->rest->points)},
-                          tr("Pin").toStdString(), partNameOf<Dim>(*shape->rest, place->cell));
+    return addHandle(std::vector<Vec3>{shape->restAt(*place)}, tr("Pin").toStdString(),
+                     shape->partOf(place->cell));
 }
 
-template <int Dim>
-int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind, const std::string& part) {
-    if (!frame<Dim>()) return -1;
+int ShapeSession::addHandle(Placement<3> at, const std::string& kind, const std::string& part) {
+    if (!frame()) return -1;
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_playback.setTime(time);  // that of the picture that is shown
     const std::string name = freeName(namesOf(m_document.design().handles), kind);
     m_motion.setChangeMovesNothing(true);
     m_document.changeDesign(tr("Add %1").arg(QString::fromStdString(name)),
-                            withHandle(m_document.design(), inSpace(at), name, time, part));
+                            withHandle(m_document.design(), std::move(at), name, time, part));
     m_motion.setChangeMovesNothing(false);
     const int handle = handleCount() - 1;
     m_selection.set({handle});
@@ -93,11 +88,10 @@ int ShapeSession::addHandle(Placement<Dim> at, const std::string& kind, const st
     return handle;
 }
 
-template <int Dim>
-void ShapeSession::changeHandle(int handle, Placement<Dim> at) {
+void ShapeSession::changeHandle(int handle, Placement<3> at) {
     if (!mayChange(handle)) return;
     m_document.changeDesign(tr("Change %1").arg(nameOf({handle})),
-                            withHandlePlace(m_document.design(), handle, inSpace(at)));
+                            withHandlePlace(m_document.design(), handle, std::move(at)));
 }
 
 void ShapeSession::removeSelected() {
@@ -110,15 +104,5 @@ void ShapeSession::removeSelected() {
     m_selection.clear();
     m_document.changeDesign(name, withoutHandles(m_document.design(), handles, time));
 }
-
-#define WEND_INSTANTIATE(Dim)                                                                          \
-    template int ShapeSession::addPin<Dim>(const Vec<Dim>&);                                           \
-    template int ShapeSession::addPin<Dim>(const std::optional<Location<Dim>>&);                       \
-    template int ShapeSession::addHandle<Dim>(Placement<Dim>, const std::string&, const std::string&); \
-    template void ShapeSession::changeHandle<Dim>(int, Placement<Dim>)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

@@ -54,23 +54,13 @@ class ShapeSession : public QObject {
     void cancelWork();
     /// The handles at the time that is shown; dragged ones are where the pointer has them. Hidden ones are
     /// among them only if `all`.
-    template <int Dim = 2>
-    std::vector<PinView<Dim>> pins(bool all = false) const {
-        return m_gesture.carriedAlong<Dim>(m_pins.at<Dim>(m_gesture.time(), true, all));
+    std::vector<PinView> pins(bool all = false) const {
+        return m_gesture.carriedAlong(m_pins.at(m_gesture.time(), true, all));
     }
     /// The handles that do not hold at that time: where they would be. None that is hidden.
-    template <int Dim = 2>
-    std::vector<PinView<Dim>> ghosts() const {
-        return m_pins.at<Dim>(m_gesture.time(), false, false);
-    }
+    std::vector<PinView> ghosts() const { return m_pins.at(m_gesture.time(), false, false); }
     /// Returns the points of a handle when it starts to hold: the starts of its paths.
-    template <int Dim>
-    std::vector<Vec<Dim>> pathStarts(int handle) const {
-        return m_pins.pathStarts<Dim>(handle);
-    }
-    std::vector<Vec3> pathStarts(int handle) const {
-        return m_document.dimension() == 2 ? inSpace(pathStarts<2>(handle)) : pathStarts<3>(handle);
-    }
+    std::vector<Vec3> pathStarts(int handle) const { return m_pins.pathStarts(handle); }
     /// Returns the velocities at the shown time: v̂ once it is solved (see setFieldWanted), until then the
     /// difference of the neighbouring frames.
     template <int Dim>
@@ -94,16 +84,12 @@ class ShapeSession : public QObject {
 
     // gestures
     /// Adds a pin at a point of the shown shape. Returns −1 and emits a notice if the point is outside.
-    template <int Dim = 2>
-    int addPin(const Vec<Dim>& p);
+    int addPin(const Vec3& p);
     /// Does the same at a place of it.
-    template <int Dim>
-    int addPin(const std::optional<Location<Dim>>& place);
+    int addPin(const std::optional<Place>& place);
     /// Adds a handle of any kind, in terms of the rest shape, named "<kind> 1", "<kind> 2" …
-    template <int Dim>
-    int addHandle(Placement<Dim> at, const std::string& kind, const std::string& part = {});
-    template <int Dim>
-    void changeHandle(int handle, Placement<Dim> at);
+    int addHandle(Placement<3> at, const std::string& kind, const std::string& part = {});
+    void changeHandle(int handle, Placement<3> at);
     /// Returns the placement of a solid's vertices: by number if the mesh comes from a file, by position if
     /// it is generated and may be generated again.
     Placement<3> placementOf(const std::vector<int>& vertices) const { return m_pins.placementOf(vertices); }
@@ -116,15 +102,9 @@ class ShapeSession : public QObject {
     bool isLocked(int handle) const { return m_pins.isLocked(handle); }
     /// The name of one pin, or how many they are.
     QString nameOf(const std::vector<int>& handles) const { return m_pins.nameOf(handles); }
-    template <int Dim = 2>
-    void nudgeSelected(const Vec<Dim>& by) {
-        m_gesture.nudge<Dim>(by);
-    }
+    void nudgeSelected(const Vec3& by) { m_gesture.nudge(by); }
     /// Performs a whole gesture at once, for typed numbers.
-    template <int Dim>
-    void moveSelected(const Grip& grip, const Amount& amount) {
-        m_gesture.moveAtOnce<Dim>(grip, amount);
-    }
+    void moveSelected(const Grip& grip, const Amount& amount) { m_gesture.moveAtOnce(grip, amount); }
     /// Moves the selection along a Bézier chain from its first point. Within the film it lasts until the end
     /// and replaces only the motion of its own handles; at the end it is appended like a drag.
     void followCurve(const std::vector<Vec3>& points) { m_gesture.followCurve(points); }
@@ -133,10 +113,6 @@ class ShapeSession : public QObject {
     /// a notice if there are none. The gesture replaces the later motion. If it `records`, it keeps the times
     /// of its samples and replaces only the later motion of its own handles.
     void beginDrag(const Grip& grip = {}, bool records = false) { m_gesture.begin(grip, records); }
-    template <int Dim = 2>
-    void dragTo(const Vec<Dim>& offset, double seconds = 0) {
-        dragBy(inSpace(offset), seconds);
-    }
     void dragBy(const Amount& amount, double seconds = 0) { m_gesture.moveBy(amount, seconds); }
     /// Makes every following drag record.
     void setRecording(bool records) { m_gesture.setRecording(records); }

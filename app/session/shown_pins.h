@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tuple>
-
 #include "app/project/edits/document.h"
 #include "app/session/pins.h"
 
@@ -21,30 +19,26 @@ class ShownPins {
     /// The name of one, or how many they are.
     QString nameOf(const std::vector<int>& handles) const;
     /// Returns the pins that act at a time, or those that do not; hidden ones only if `all`.
-    template <int Dim>
-    std::vector<PinView<Dim>> at(double time, bool holding, bool all) const;
-    template <int Dim>
-    std::vector<Vec<Dim>> pathStarts(int handle) const;
+    std::vector<PinView> at(double time, bool holding, bool all) const;
+    std::vector<Vec3> pathStarts(int handle) const;
+    /// The vertices that a handle of a solid holds, increasing.
     std::vector<int> verticesOf(int handle) const;
     Placement<3> placementOf(const std::vector<int>& vertices) const;
     /// Resets the cache for another file.
-    void drop() { m_holds = {}; }
+    void drop() { m_places = {}; }
 
   private:
-    template <int Dim>
-    PosedPtr<Dim> shape() const;
-    template <int Dim>
-    const std::vector<PinPlace<Dim>>& places() const;
+    FramePtr shape() const;
+    const std::vector<PinPlace>& places() const;
 
-    template <int Dim>
-    struct Hold {  // of the project's dimension; the other one is empty
-        std::shared_ptr<const SimplicialMesh<Dim>> rest;
-        std::shared_ptr<const Project> project;
-        std::vector<PinPlace<Dim>> places;
-    };
     const Document& m_document;
     const ShapeMotion& m_motion;
-    mutable std::tuple<Hold<2>, Hold<3>> m_holds;
+    struct Cache {
+        std::shared_ptr<const void> rest;
+        std::shared_ptr<const Project> project;
+        std::vector<PinPlace> of;
+    };
+    mutable Cache m_places;
 };
 
 }  // namespace wend

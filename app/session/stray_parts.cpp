@@ -31,9 +31,9 @@ class HeldPieces {
             for (const int v : cell) m_sets.join(cell[0], v);
         for (const Weld& weld : rest.welds)
             for (const auto& [v, weight] : weld.terms) m_sets.join(weld.terms.front().first, v);
-        for (const auto& pins : {session.pins<2>(true), session.ghosts<2>()})
-            for (const PinView<2>& pin : pins)
-                for (const Location<2>& place : pin.places) m_held.insert(rootOfCell(place.cell));
+        for (const auto& pins : {session.pins(true), session.ghosts()})
+            for (const PinView& pin : pins)
+                for (const Place& place : pin.places) m_held.insert(rootOfCell(place.cell));
     }
 
     int rootOfCell(int cell) { return m_sets.root(m_rest.cells[static_cast<std::size_t>(cell)][0]); }

@@ -53,22 +53,22 @@ QCursor CropTool::cursor() const {
 }
 
 std::shared_ptr<const Image> CropTool::picture() const {
-    const auto frame = surface().shownFrame();
+    const auto frame = session().frame<2>();
     return frame ? frame->built->picture : nullptr;
 }
 
 /// A 2D mesh may have any placement in its picture.
 Vec<2> CropTool::toPixels(const QPointF& widget) const {
-    const auto frame = surface().shownFrame();
-    const Vec<2> at = surface().toShape(widget);
+    const auto frame = session().frame<2>();
+    const Vec<2> at = view().toShape(widget);
     return frame && frame->built->texture ? Vec<2>(frame->built->texture->toPixels(at)) : at;
 }
 
 QPointF CropTool::toWidget(const Vec<2>& pixel) const {
-    const auto frame = surface().shownFrame();
-    if (!frame || !frame->built->texture) return surface().toWidget(pixel);
+    const auto frame = session().frame<2>();
+    if (!frame || !frame->built->texture) return view().toWidget(pixel);
     const PictureMap& map = frame->built->texture->toPixels;
-    return surface().toWidget(map.A.inverse() * (pixel - map.b));
+    return view().toWidget(map.A.inverse() * (pixel - map.b));
 }
 
 QPolygonF CropTool::outline(const PixelRect& part) const {
@@ -104,7 +104,7 @@ void CropTool::move(const QMouseEvent& event) {
         drawTo(toPixels(m_at), event.modifiers().testFlag(Qt::ShiftModifier));
     else
         m_under = gripAt(m_at);
-    surface().redraw();
+    view().redraw();
 }
 
 void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
@@ -121,7 +121,7 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
         if (m_grip.x != 0) b.x() += by.x();
         if (m_grip.y != 0) b.y() += by.y();
     }
-    if (const auto frame = surface().shownFrame(); proportional && frame && frame->built->picture) {
+    if (const auto frame = session().frame<2>(); proportional && frame && frame->built->picture) {
         const auto [wide, high] = canvasSize(*frame->built);
         const double aspect = static_cast<double>(high) / wide;
         const Vec<2> size = b - a;
@@ -136,13 +136,13 @@ void CropTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_active) return;
     m_active = false;
     m_under = gripAt(event.position());
-    surface().redraw();
+    view().redraw();
 }
 
 void CropTool::doubleClick(const QMouseEvent&) {
     m_active = false;
     m_crop.set({});
-    surface().redraw();
+    view().redraw();
 }
 
 bool CropTool::ownsKey(const QKeyEvent& event) const {
@@ -170,7 +170,7 @@ bool CropTool::key(const QKeyEvent& event) {
     else
         return false;
     m_crop.set(part);
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
@@ -178,7 +178,7 @@ void CropTool::cancel() {
     if (!m_active) return;
     m_active = false;
     m_crop.set(m_before);
-    surface().redraw();
+    view().redraw();
 }
 
 /// Dims the discarded area and draws thirds.

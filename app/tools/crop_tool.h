@@ -9,9 +9,9 @@ namespace wend {
 
 /// Draws the crop of exports: a rectangle of pixels that is moved by its inside and resized by its sides and
 /// corners. Shift keeps the picture's proportions.
-class CropTool : public ShapeTool<2> {
+class CropTool : public ShapeTool<PictureShapeView> {
   public:
-    CropTool(ToolSurface& surface, Crop& crop) : ShapeTool<2>(surface), m_crop(crop) {}
+    CropTool(PictureShapeView& view, Crop& crop) : ShapeTool<PictureShapeView>(view), m_crop(crop) {}
 
     QString hint() const override;
     QCursor cursor() const override;

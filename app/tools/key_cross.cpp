@@ -26,35 +26,26 @@ std::optional<QPointF> arrowOf(const QKeyEvent& key) {
     }
 }
 
-template <int Dim>
-bool KeyCross::take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
-                    const std::function<void(const QPointF&)>& click) {
-    const auto frame = surface.session().template frame<Dim>();
+bool KeyCross::take(const QKeyEvent& key, ShapeView& view, const std::function<void(const QPointF&)>& click) {
+    const FramePtr frame = view.session().frame();
     const auto by = arrowOf(key);
     const bool enters = m_at && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
     if (!frame || !(by || enters)) return false;
-    const Vec<Dim> middle = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
     if (enters)
         click(*m_at);
     else
-        m_at = m_at ? *m_at + kCrossStep * *by : surface.toWidget(middle);
-    surface.redraw();
+        m_at = m_at ? *m_at + kCrossStep * *by : view.onScreen(frame->middle());
+    view.redraw();
     return true;
 }
 
-template bool KeyCross::take<2>(const QKeyEvent&, ShapeSurface<2>&,
-                                const std::function<void(const QPointF&)>&);
-template bool KeyCross::take<3>(const QKeyEvent&, ShapeSurface<3>&,
-                                const std::function<void(const QPointF&)>&);
-
-template <int Dim>
-bool KeyCross::clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool, Enter enter) {
+bool KeyCross::clicks(const QKeyEvent& key, ShapeView& view, Tool& tool, Enter enter) {
     const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
     const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons buttons) {
         return QMouseEvent(type, *m_at, *m_at, *m_at, button, buttons, held);
     };
     m_clicks = true;
-    const bool taken = take<Dim>(key, surface, [&](const QPointF&) {
+    const bool taken = take(key, view, [&](const QPointF&) {
         if (enter != Enter::LetsGo)
             tool.press(send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton));
         if (enter != Enter::Presses)
@@ -64,9 +55,6 @@ bool KeyCross::clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& to
     m_clicks = false;
     return taken;
 }
-
-template bool KeyCross::clicks<2>(const QKeyEvent&, ShapeSurface<2>&, Tool&, Enter);
-template bool KeyCross::clicks<3>(const QKeyEvent&, ShapeSurface<3>&, Tool&, Enter);
 
 void KeyCross::paint(QPainter& painter) const {
     if (!m_at) return;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/tools/shape_surface.h"
+#include "app/tools/shape_view.h"
 #include "app/tools/tool.h"
 
 namespace wend {
@@ -18,15 +18,12 @@ std::optional<QPointF> arrowOf(const QKeyEvent& key);
 class KeyCross {
   public:
     /// An arrow moves it, with Enter `click` is done where it is; true if the key was used.
-    template <int Dim>
-    bool take(const QKeyEvent& key, ShapeSurface<Dim>& surface,
-              const std::function<void(const QPointF&)>& click);
+    bool take(const QKeyEvent& key, ShapeView& view, const std::function<void(const QPointF&)>& click);
     /// How Enter acts on a tool's button.
     enum class Enter { Clicks, Presses, LetsGo };
     /// Moves a tool's pointer by arrows; Enter clicks there with the pressed modifiers, or presses or
     /// releases.
-    template <int Dim>
-    bool clicks(const QKeyEvent& key, ShapeSurface<Dim>& surface, Tool& tool, Enter enter = Enter::Clicks);
+    bool clicks(const QKeyEvent& key, ShapeView& view, Tool& tool, Enter enter = Enter::Clicks);
     /// Returns whether the tool's current event comes from the keyboard.
     bool isAtWork() const { return m_clicks; }
     /// The mouse has taken over.

@@ -27,27 +27,27 @@ double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
     return QLineF(p, a + t * ab).length();
 }
 
-QPolygonF projected(const std::vector<Vec<3>>& line, const SolidSurface& surface) {
+QPolygonF projected(const std::vector<Vec3>& line, const ShapeView& view) {
     QPolygonF polygon;
-    for (const Vec<3>& p : line) polygon << surface.toWidget(p);
+    for (const Vec3& p : line) polygon << view.onScreen(p);
     return polygon;
 }
 
 /// Returns the point of the line nearest to the ray.
-Vec<3> nearestOnLine(const Vec<3>& centre, const Vec<3>& along, const Ray& ray) {
+Vec3 nearestOnLine(const Vec3& centre, const Vec3& along, const Ray& ray) {
     const double cosine = along.dot(ray.direction), sine2 = std::max(1 - cosine * cosine, 1e-6);
-    const Vec<3> offset = ray.origin - centre;
+    const Vec3 offset = ray.origin - centre;
     return centre + (offset.dot(along) - cosine * offset.dot(ray.direction)) / sine2 * along;
 }
 
-Vec<3> onPlane(const Vec<3>& centre, const Vec<3>& normal, const Ray& ray) {
+Vec3 onPlane(const Vec3& centre, const Vec3& normal, const Ray& ray) {
     double slope = normal.dot(ray.direction);
     if (std::abs(slope) < 0.02) slope = std::copysign(0.02, slope);
     return ray.origin + normal.dot(centre - ray.origin) / slope * ray.direction;
 }
 
-std::pair<Vec<3>, Vec<3>> across(const Vec<3>& normal) {
-    const Vec<3> u = normal.unitOrthogonal();
+std::pair<Vec3, Vec3> across(const Vec3& normal) {
+    const Vec3 u = normal.unitOrthogonal();
     return {u, normal.cross(u)};
 }
 
@@ -57,22 +57,22 @@ void Manipulator::setGrip(Grip::Kind kind) {
     m_mode = kind == Grip::Kind::Turn ? Mode::Turn : kind == Grip::Kind::Grow ? Mode::Grow : Mode::Move;
 }
 
-void Manipulator::place(const Vec<3>& centre, const Mat<3>& axes) {
+void Manipulator::place(const Vec3& centre, const Mat<3>& axes) {
     m_centre = centre;
     m_axes = axes;
 }
 
-QString Manipulator::hint() {
+QString Manipulator::hint() const {
     return QCoreApplication::translate("PinTool",
                                        "Drag an arrow, a square or a ring; G moves, R rotates, S scales");
 }
 
-double Manipulator::length(const SolidSurface& surface) const {
-    return marked(surface.pixelSize(m_centre));
+double Manipulator::length(const ShapeView& view) const {
+    return marked(view.pixelSize(m_centre));
 }
 
-Vec<3> Manipulator::normalOf(const Part& part, const SolidSurface& surface) const {
-    return part.axis >= 0 ? axis(part.axis) : Vec<3>(-surface.viewDirection());
+Vec3 Manipulator::normalOf(const Part& part, const ShapeView& view) const {
+    return part.axis >= 0 ? axis(part.axis) : Vec3(-view.viewDirection());
 }
 
 std::vector<Manipulator::Part> Manipulator::parts() const {
@@ -92,12 +92,12 @@ std::vector<Manipulator::Part> Manipulator::parts() const {
 }
 
 /// The line that is drawn and taken hold of.
-std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& surface) const {
-    const double pixel = length(surface);
+std::vector<Vec3> Manipulator::outline(const Part& part, const ShapeView& view) const {
+    const double pixel = length(view);
     if (part.kind == Grip::Kind::Move && part.plane) {
-        const Vec<3> u = pixel * axis((part.axis + 1) % 3), v = pixel * axis((part.axis + 2) % 3);
-        const Vec<3> a = m_centre + kPlaneNear * (u + v), b = kPlaneFar * u - kPlaneNear * u,
-                     c = kPlaneFar * v - kPlaneNear * v;
+        const Vec3 u = pixel * axis((part.axis + 1) % 3), v = pixel * axis((part.axis + 2) % 3);
+        const Vec3 a = m_centre + kPlaneNear * (u + v), b = kPlaneFar * u - kPlaneNear * u,
+                   c = kPlaneFar * v - kPlaneNear * v;
         return {a, a + b, a + b + c, a + c, a};
     }
     if (part.kind == Grip::Kind::Move && part.axis >= 0)
@@ -105,8 +105,8 @@ std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& s
     double radius = kRing;
     if (part.kind == Grip::Kind::Move) radius = 8;
     if (part.kind == Grip::Kind::Turn && part.axis < 0) radius = kArrow;
-    const auto [u, v] = across(normalOf(part, surface));
-    std::vector<Vec<3>> ring;
+    const auto [u, v] = across(normalOf(part, view));
+    std::vector<Vec3> ring;
     for (int i = 0; i <= kRotationPieces; ++i) {
         const double a = 2 * std::numbers::pi * i / kRotationPieces;
         ring.push_back(m_centre + radius * pixel * (std::cos(a) * u + std::sin(a) * v));
@@ -114,12 +114,11 @@ std::vector<Vec<3>> Manipulator::outline(const Part& part, const SolidSurface& s
     return ring;
 }
 
-std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface,
-                                                     const QPointF& widget) const {
+std::optional<Manipulator::Part> Manipulator::partAt(const ShapeView& view, const QPointF& widget) const {
     std::optional<Part> best;
     double nearest = marked(kAxisReach);
     for (const Part& part : parts()) {
-        const QPolygonF line = projected(outline(part, surface), surface);
+        const QPolygonF line = projected(outline(part, view), view);
         double distance = 1e9;
         const bool filled = part.plane || (part.kind == Grip::Kind::Move && part.axis < 0);
         if (filled && line.containsPoint(widget, Qt::OddEvenFill)) distance = 0;
@@ -131,80 +130,79 @@ std::optional<Manipulator::Part> Manipulator::partAt(const SolidSurface& surface
 }
 
 /// Returns the point of the part's line or plane under the pointer.
-Vec<3> Manipulator::pointAt(const SolidSurface& surface, const QPointF& widget) const {
-    const Ray ray = surface.ray(widget);
+Vec3 Manipulator::pointAt(const ShapeView& view, const QPointF& widget) const {
+    const Ray ray = view.ray(widget);
     if (isAlongAxis()) return nearestOnLine(m_centre, axis(m_part.axis), ray);
-    return onPlane(m_centre, normalOf(m_part, surface), ray);
+    return onPlane(m_centre, normalOf(m_part, view), ray);
 }
 
 /// Returns the angle around the axis; for a ring seen edge-on, the pointer's movement along it.
-double Manipulator::angleAt(const SolidSurface& surface, const QPointF& widget) const {
-    const Vec<3> normal = normalOf(m_part, surface);
-    if (std::abs(normal.dot(surface.viewDirection())) < 0.15) {
-        const Vec<3> along = normal.cross(surface.viewDirection()).normalized();
-        const Vec<3> p = onPlane(m_centre, surface.viewDirection(), surface.ray(widget));
-        return -along.dot(p - m_centre) / (kRing * length(surface));
+double Manipulator::angleAt(const ShapeView& view, const QPointF& widget) const {
+    const Vec3 normal = normalOf(m_part, view);
+    if (std::abs(normal.dot(view.viewDirection())) < 0.15) {
+        const Vec3 along = normal.cross(view.viewDirection()).normalized();
+        const Vec3 p = onPlane(m_centre, view.viewDirection(), view.ray(widget));
+        return -along.dot(p - m_centre) / (kRing * length(view));
     }
     const auto [u, v] = across(normal);
-    const Vec<3> arm = onPlane(m_centre, normal, surface.ray(widget)) - m_centre;
+    const Vec3 arm = onPlane(m_centre, normal, view.ray(widget)) - m_centre;
     return std::atan2(v.dot(arm), u.dot(arm));
 }
 
-double Manipulator::distanceAt(const SolidSurface& surface, const QPointF& widget) const {
-    return std::max(QLineF(surface.toWidget(m_centre), widget).length(), 12.0);
+double Manipulator::distanceAt(const ShapeView& view, const QPointF& widget) const {
+    return std::max(QLineF(view.onScreen(m_centre), widget).length(), 12.0);
 }
 
-void Manipulator::begin(const Part& part, const SolidSurface& surface, const QPointF& widget) {
+void Manipulator::begin(const Part& part, const ShapeView& view, const QPointF& widget) {
     m_part = part;
     m_angle = 0;
-    m_startPoint = pointAt(surface, widget);
-    m_lastAngle = angleAt(surface, widget);
-    m_startDistance = distanceAt(surface, widget);
+    m_startPoint = pointAt(view, widget);
+    m_lastAngle = angleAt(view, widget);
+    m_startDistance = distanceAt(view, widget);
 }
 
-Amount Manipulator::drag(const SolidSurface& surface, const QPointF& widget, bool snaps) {
+Amount Manipulator::drag(const ShapeView& view, const QPointF& widget, bool snaps) {
     switch (m_part.kind) {
         case Grip::Kind::Turn: {
-            const double angle = angleAt(surface, widget);
+            const double angle = angleAt(view, widget);
             m_angle += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
             m_lastAngle = angle;
             return {snaps ? kAngleStep * std::round(m_angle / kAngleStep) : m_angle, 0, 0};
         }
         case Grip::Kind::Grow:
-            return {distanceAt(surface, widget) / m_startDistance - 1, 0, 0};
+            return {distanceAt(view, widget) / m_startDistance - 1, 0, 0};
         case Grip::Kind::Move:
             break;
     }
-    const Vec<3> way = pointAt(surface, widget) - m_startPoint;
+    const Vec3 way = pointAt(view, widget) - m_startPoint;
     return snaps && m_part.plane ? alongOneAxis(way) : way;
 }
 
 /// Projects on the axis of the plane that is closer to the displacement.
-Vec<3> Manipulator::alongOneAxis(const Vec<3>& way) const {
-    const Vec<3> u = axis((m_part.axis + 1) % 3), v = axis((m_part.axis + 2) % 3);
+Vec3 Manipulator::alongOneAxis(const Vec3& way) const {
+    const Vec3 u = axis((m_part.axis + 1) % 3), v = axis((m_part.axis + 2) % 3);
     const double byU = way.dot(u), byV = way.dot(v);
     return std::abs(byU) > std::abs(byV) ? byU * u : byV * v;
 }
 
-Grip Manipulator::grip(const SolidSurface& surface) const {
-    return {m_part.kind, m_centre, normalOf(m_part, surface)};
+Grip Manipulator::grip(const ShapeView& view) const {
+    return {m_part.kind, m_centre, normalOf(m_part, view)};
 }
 
-Amount Manipulator::typed(double number, const SolidSurface& surface) const {
+Amount Manipulator::typed(double number, const ShapeView& view) const {
     if (m_part.kind != Grip::Kind::Move) return turnedOrScaled(number);
-    return number * (isAlongAxis() ? axis(m_part.axis) : surface.viewDirection().unitOrthogonal());
+    return number * (isAlongAxis() ? axis(m_part.axis) : view.viewDirection().unitOrthogonal());
 }
 
-void Manipulator::paintDragged(QPainter& painter, const SolidSurface& surface, const Amount& amount) const {
+void Manipulator::paintDragged(QPainter& painter, const ShapeView& view, const Amount& amount) const {
     Manipulator moved = *this;
     if (m_part.kind == Grip::Kind::Move) moved.m_centre += amount;
-    moved.paint(painter, surface, m_part);
+    moved.paint(painter, view, m_part);
 }
 
-void Manipulator::paint(QPainter& painter, const SolidSurface& surface,
-                        const std::optional<Part>& lit) const {
+void Manipulator::paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const {
     for (const Part& part : parts()) {
-        const QPolygonF line = projected(outline(part, surface), surface);
+        const QPolygonF line = projected(outline(part, view), view);
         QColor colour = part.axis < 0 ? kFree : kAxisColours[part.axis];
         if (lit == part) colour = kLit;
         painter.setBrush(Qt::NoBrush);

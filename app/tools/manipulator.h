@@ -1,60 +1,46 @@
 #pragma once
 
-#include <optional>
-
-#include "app/tools/gizmo_base.h"
-#include "app/tools/solid_surface.h"
+#include "app/tools/gizmo.h"
 
 namespace wend {
 
-/// A manipulator around a point: arrows, squares, rings and a disc that are dragged to move, rotate or scale.
-/// Constant size on the screen.
-class Manipulator : public GizmoBase<3> {
+/// A manipulator around a point of a solid: arrows, squares, rings and a disc.
+class Manipulator : public Gizmo {
   public:
     /// Tilt: an arrow along the third axis and rings around the first two, for a plane.
     enum class Mode { Move, Turn, Grow, Tilt };
-    /// Parts take precedence over pins below them.
-    static constexpr bool kComesFirst = true;
-
     void setMode(Mode mode) { m_mode = mode; }
-    void setGrip(Grip::Kind kind);
-    using GizmoBase::place;
+    void setGrip(Grip::Kind kind) override;
+    bool comesFirst() const override { return true; }
+    using Gizmo::place;
     /// The axes are the columns.
-    void place(const Vec<3>& centre, const Mat<3>& axes);
-    Vec<3> axis(int k) const { return m_axes.col(k); }
-    /// A drag outside all parts does not use the manipulator.
-    static std::optional<Part> anywhere() { return {}; }
-    static bool turnsPointAt(const SolidSurface&, const QPointF&) { return false; }
-    /// Returns the hint over a part.
-    static QString hint();
+    void place(const Vec3& centre, const Mat<3>& axes);
+    Vec3 axis(int k) const { return m_axes.col(k); }
+    QString hint() const override;
 
-    /// Returns the part under the pointer.
-    std::optional<Part> partAt(const SolidSurface& surface, const QPointF& widget) const;
-    /// Starts a drag, which drag() measures from here; the centre stays until the end.
-    void begin(const Part& part, const SolidSurface& surface, const QPointF& widget);
-    /// `snaps`: angles to 15°, displacements in a plane to one of its axes.
-    Amount drag(const SolidSurface& surface, const QPointF& widget, bool snaps = false);
-    Grip grip(const SolidSurface& surface) const;
-    /// The amount that a typed number means: a length along the axis, degrees, or a factor.
-    Amount typed(double number, const SolidSurface& surface) const;
+    std::optional<Part> partAt(const ShapeView& view, const QPointF& widget) const override;
+    void begin(const Part& part, const ShapeView& view, const QPointF& widget) override;
+    Grip grip(const ShapeView& view) const override;
+    Amount drag(const ShapeView& view, const QPointF& widget, bool snaps = false) override;
+    Amount typed(double number, const ShapeView& view) const override;
 
-    void paint(QPainter& painter, const SolidSurface& surface, const std::optional<Part>& lit) const;
+    void paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const override;
     /// Draws the manipulator at the dragged place.
-    void paintDragged(QPainter& painter, const SolidSurface& surface, const Amount& amount) const;
+    void paintDragged(QPainter& painter, const ShapeView& view, const Amount& amount) const override;
 
   private:
     std::vector<Part> parts() const;
-    std::vector<Vec<3>> outline(const Part& part, const SolidSurface& surface) const;
-    Vec<3> normalOf(const Part& part, const SolidSurface& surface) const;
-    double length(const SolidSurface& surface) const;
-    Vec<3> alongOneAxis(const Vec<3>& way) const;
-    Vec<3> pointAt(const SolidSurface& surface, const QPointF& widget) const;
-    double angleAt(const SolidSurface& surface, const QPointF& widget) const;
-    double distanceAt(const SolidSurface& surface, const QPointF& widget) const;
+    std::vector<Vec3> outline(const Part& part, const ShapeView& view) const;
+    Vec3 normalOf(const Part& part, const ShapeView& view) const;
+    double length(const ShapeView& view) const;
+    Vec3 alongOneAxis(const Vec3& way) const;
+    Vec3 pointAt(const ShapeView& view, const QPointF& widget) const;
+    double angleAt(const ShapeView& view, const QPointF& widget) const;
+    double distanceAt(const ShapeView& view, const QPointF& widget) const;
 
     Mode m_mode = Mode::Move;
     Mat<3> m_axes = Mat<3>::Identity();
-    Vec<3> m_startPoint = Vec<3>::Zero();
+    Vec3 m_startPoint = Vec3::Zero();
     double m_lastAngle = 0, m_angle = 0, m_startDistance = 1;
 };
 

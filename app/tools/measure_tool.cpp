@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/engine/motion/pose_places.h"
 #include "app/project/domain.h"
 #include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
@@ -18,31 +17,26 @@ namespace {
 constexpr double kSnap = 5;  // pixels: distance within which a vertex is chosen
 const QColor kMeasureColour(0xd4, 0x4a, 0x7a);
 
-template <int Dim>
-double length(const std::vector<Vec<Dim>>& p) {
+double length(const std::vector<Vec3>& p) {
     return (p[1] - p[0]).norm();
 }
 
 /// Returns the angle of the unit vectors a and b: 2 arctan(‖a − b‖ / ‖a + b‖), accurate near 0° and 180°.
-template <int Dim>
-double degrees(const std::vector<Vec<Dim>>& p) {
-    const Vec<Dim> a = (p[0] - p[1]).normalized(), b = (p[2] - p[1]).normalized();
+double degrees(const std::vector<Vec3>& p) {
+    const Vec3 a = (p[0] - p[1]).normalized(), b = (p[2] - p[1]).normalized();
     return 2 * std::atan2((a - b).norm(), (a + b).norm()) * 180 / std::numbers::pi;
 }
 
 /// The corner of the cell that is nearest to a point of it.
-template <int Dim>
-Vec<Dim> nearestCorner(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) {
-    const Cell<Dim>& cell = frame.rest->cells[touch.place.cell];
-    const int nearest = *std::ranges::min_element(
-        cell, {}, [&](int v) { return (frame.pose.col(v) - touch.point).squaredNorm(); });
-    return frame.pose.col(nearest);
+Vec3 nearestCorner(const ShapeFrame& frame, const Touch& touch) {
+    return frame.vertex(*std::ranges::min_element(frame.corners(touch.place.cell), {}, [&](int v) {
+        return (frame.vertex(v) - touch.point).squaredNorm();
+    }));
 }
 
 }  // namespace
 
-template <int Dim>
-QString MeasureTool<Dim>::hint() const {
+QString MeasureTool::hint() const {
     const QString measured = text();
     if (!measured.isEmpty()) return measured;
     return QCoreApplication::translate(
@@ -50,50 +44,44 @@ QString MeasureTool<Dim>::hint() const {
         "Click two points for a length, a third for the angle; Ctrl snaps to vertices, Esc clears");
 }
 
-template <int Dim>
-void MeasureTool<Dim>::press(const QMouseEvent& event) {
+void MeasureTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
-    const auto touch = surface().touch(event.position());
-    const auto frame = session().template frame<Dim>();
+    const auto touch = view().touch(event.position());
+    const FramePtr frame = this->frame();
     // A click outside the shape only removes a complete measurement.
     if (m_points.size() == 3 || (frame && frame->shape != m_shape)) m_points.clear();
     if (touch && frame) {
         m_shape = frame->shape;
-        const Vec<Dim> vertex = nearestCorner<Dim>(*frame, *touch);
-        const bool near = QLineF(surface().toWidget(vertex), event.position()).length() <= kSnap;
+        const Vec3 vertex = nearestCorner(*frame, *touch);
+        const bool near = QLineF(view().onScreen(vertex), event.position()).length() <= kSnap;
         const bool snaps = near || event.modifiers() & Qt::ControlModifier;
-        m_points.push_back(snaps ? locationIn<Dim>(*frame, touch->place.cell, vertex) : touch->place);
+        m_points.push_back(snaps ? frame->placeIn(touch->place.cell, vertex) : touch->place);
     }
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-bool MeasureTool<Dim>::key(const QKeyEvent& event) {
+bool MeasureTool::key(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape) return false;
     m_points.clear();
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-std::vector<Vec<Dim>> MeasureTool<Dim>::pointsIn(const PosedFrame<Dim>& frame,
-                                                 const Points<Dim>& points) const {
-    std::vector<Vec<Dim>> result;
+std::vector<Vec3> MeasureTool::pointsIn(const ShapeFrame& frame, bool atRest) const {
+    std::vector<Vec3> result;
     result.reserve(m_points.size());
-    for (const Location<Dim>& location : m_points)
-        result.push_back(positionOf<Dim>(location, *frame.rest, points));
+    for (const Place& place : m_points) result.push_back(atRest ? frame.restAt(place) : frame.at(place));
     return result;
 }
 
-template <int Dim>
-QString MeasureTool<Dim>::text() const {
-    const auto frame = session().template frame<Dim>();
+QString MeasureTool::text() const {
+    const FramePtr frame = this->frame();
     if (!frame || frame->shape != m_shape || m_points.size() < 2) return {};
     const QLocale locale;
     const bool angle = m_points.size() == 3;
-    const auto pose = pointsIn(*frame, frame->pose), start = pointsIn(*frame, frame->rest->points);
-    const double now = angle ? degrees<Dim>(pose) : length<Dim>(pose);
-    const double rest = angle ? degrees<Dim>(start) : length<Dim>(start);
+    const auto pose = pointsIn(*frame), start = pointsIn(*frame, true);
+    const double now = angle ? degrees(pose) : length(pose);
+    const double rest = angle ? degrees(start) : length(start);
     const bool pixels = session().document().domain().kind == DomainKind::Image;
     const QString unit = angle ? QStringLiteral("°") : pixels ? QStringLiteral(" px") : QString();
     return QCoreApplication::translate("MeasureTool",
@@ -102,12 +90,11 @@ QString MeasureTool<Dim>::text() const {
         .arg(locale.toString(now, 'g', 5) + unit, locale.toString(rest, 'g', 5) + unit);
 }
 
-template <int Dim>
-void MeasureTool<Dim>::paint(QPainter& painter) const {
-    const auto frame = session().template frame<Dim>();
+void MeasureTool::paint(QPainter& painter) const {
+    const FramePtr frame = this->frame();
     if (!frame || frame->shape != m_shape) return;
     QPolygonF line;
-    for (const Vec<Dim>& p : pointsIn(*frame, frame->pose)) line << surface().toWidget(p);
+    for (const Vec3& p : pointsIn(*frame)) line << view().onScreen(p);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 200), marked(4), Qt::SolidLine, Qt::RoundCap));
     painter.drawPolyline(line);
@@ -119,9 +106,6 @@ void MeasureTool<Dim>::paint(QPainter& painter) const {
     const QPointF at = line.size() == 3 ? line[1] : (line[0] + line[1]) / 2;
     paintLabel(painter, at + QPointF(14, 10), text());
 }
-
-template class MeasureTool<2>;
-template class MeasureTool<3>;
 
 ToolKind measureTool() {
     return toolKind("measure", "measure", QT_TRANSLATE_NOOP("Tools", "M&easure"),

@@ -6,10 +6,9 @@ namespace wend {
 
 /// Measures the length between two clicked points, and with a third one the angle at the second, for the pose
 /// and for the rest shape. The points follow the shape.
-template <int Dim>
-class MeasureTool : public ShapeTool<Dim> {
+class MeasureTool : public ShapeTool<> {
   public:
-    explicit MeasureTool(SurfaceOf<Dim>& view) : ShapeTool<Dim>(view) {}
+    explicit MeasureTool(ShapeView& view) : ShapeTool<>(view) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -24,16 +23,11 @@ class MeasureTool : public ShapeTool<Dim> {
     QString text() const;
 
   private:
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
-    std::vector<Vec<Dim>> pointsIn(const PosedFrame<Dim>& frame, const Points<Dim>& points) const;
+    std::vector<Vec3> pointsIn(const ShapeFrame& frame, bool atRest = false) const;
 
-    std::vector<Location<Dim>> m_points;  // at most three
+    std::vector<Place> m_points;  // at most three
     std::shared_ptr<const void> m_shape;
 };
-
-extern template class MeasureTool<2>;
-extern template class MeasureTool<3>;
 
 ToolKind measureTool();
 

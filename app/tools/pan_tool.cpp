@@ -7,10 +7,9 @@ namespace wend {
 namespace {
 
 /// Drags the view. The view itself moves, as while the space bar is held.
-template <int Dim>
-class PanTool : public ShapeTool<Dim> {
+class PanTool : public ShapeTool<> {
   public:
-    using ShapeTool<Dim>::ShapeTool;
+    using ShapeTool<>::ShapeTool;
 
     QString hint() const override {
         return QCoreApplication::translate("PanTool", "Drag to move the view; the wheel zooms");

@@ -107,40 +107,41 @@ std::vector<Vec<2>> aroundHeld(std::vector<Vec<2>> border, const std::vector<Vec
 
 }  // namespace
 
-std::vector<Vec<2>> regionBorder(const Pin& handle, const PinView<2>& view, const PosedFrame<2>& frame) {
-    const Placement<2> at = inPlane(handle.at);
-    const auto* region = std::get_if<Region<2>>(&at);
-    std::vector<Vec<2>> border, held;
-    if (region)
-        for (const int v : verticesInside<2>(*region, *frame.rest)) held.push_back(frame.rest->points.col(v));
-    if (region) border = std::visit([](const auto& shape) { return borderOf(shape); }, *region);
-    const bool isRound = region && std::holds_alternative<Ball<2>>(*region);
-    if (!isRound) border = aroundHeld(std::move(border), held);
-    if (border.empty()) return convexHull(view.points);
-    const auto carry = carryingBetween<2>(held, view.points);
+std::vector<Vec3> regionBorder(const Pin& handle, const PinView& view, const ShapeFrame& frame) {
+    std::vector<Vec<2>> points, border, held;
+    for (const Vec3& p : view.points) points.push_back(inPlane(p));
+    const auto* spatial = std::get_if<Region<3>>(&handle.at);
+    if (spatial) {
+        const Region<2> region = inPlane(*spatial);
+        for (const int v : frame.verticesInside(*spatial)) held.push_back(inPlane(frame.restVertex(v)));
+        border = std::visit([](const auto& shape) { return borderOf(shape); }, region);
+        if (!std::holds_alternative<Ball<2>>(region)) border = aroundHeld(std::move(border), held);
+    }
+    if (border.empty()) return inSpace(convexHull(points));
+    const auto carry = carryingBetween<2>(held, points);
     for (Vec<2>& p : border) p = carry(p);
-    return border;
+    return inSpace(border);
 }
 
-void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Region<3>>& regions,
+void paintRegions(QPainter& painter, ShapeView& view, const std::vector<Region<3>>& regions,
                   const QPen& pen) {
-    const auto frame = surface.session().frame<3>();
+    const auto frame = view.session().frame<3>();
     if (!frame) return;
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
     const Points<3>& rest = frame->rest->points;
     for (const Region<3>& region : regions) {
-        const auto carry = carryingOf(*frame, verticesInside<3>(region, *frame->rest));
+        const auto carry = carryingOf(*frame, frame->verticesInside(region));
         const auto* ball = std::get_if<Ball<3>>(&region);
         if (ball && regions.size() > 1) {
-            const Vec<3> centre = carry(ball->centre);
-            const double r = ball->radius / surface.pixelSize(centre);
-            painter.drawEllipse(surface.toWidget(centre), r, r);
+            const Vec3 centre = carry(ball->centre);
+            const double r = ball->radius / view.pixelSize(centre);
+            painter.drawEllipse(view.onScreen(centre), r, r);
             continue;
         }
         for (const auto& line : regionOutline(region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
             QPolygonF drawn;
-            for (const Vec<3>& p : line) drawn << surface.toWidget(carry(p));
+            for (const Vec3& p : line) drawn << view.onScreen(carry(p));
             painter.drawPolyline(drawn);
         }
     }

@@ -3,22 +3,20 @@
 #include <vector>
 
 #include "app/session/pins.h"
-#include "app/tools/solid_surface.h"
+#include "app/tools/shape_view.h"
 #include "core/mesh/region.h"
 
 namespace wend {
 
 /// Returns lines that show a region: three circles of a ball, the edges of a box, a square and an arrow into
 /// a half-space, the segment of a blend. `low` and `high`: the box in which a plane is shown.
-std::vector<std::vector<Vec<3>>> regionOutline(const Region<3>& region, const Vec<3>& low,
-                                               const Vec<3>& high);
+std::vector<std::vector<Vec3>> regionOutline(const Region<3>& region, const Vec3& low, const Vec3& high);
 
 /// Draws regions of a solid where they are now; of many balls one circle each.
-void paintRegions(QPainter& painter, SolidSurface& surface, const std::vector<Region<3>>& regions,
-                  const QPen& pen);
+void paintRegions(QPainter& painter, ShapeView& view, const std::vector<Region<3>>& regions, const QPen& pen);
 
 /// The border of a part of a picture that is held as a whole, where it now is; the hull of its points where
 /// the region has no end.
-std::vector<Vec<2>> regionBorder(const Pin& handle, const PinView<2>& view, const PosedFrame<2>& frame);
+std::vector<Vec3> regionBorder(const Pin& handle, const PinView& view, const ShapeFrame& frame);
 
 }  // namespace wend

@@ -1,28 +1,28 @@
 #pragma once
 
-#include <type_traits>
-
-#include "app/tools/solid_surface.h"
+#include "app/tools/picture_shape_view.h"
+#include "app/tools/solid_shape_view.h"
 #include "app/tools/tool.h"
-#include "app/tools/tool_surface.h"
 
 namespace wend {
 
-template <int Dim>
-using SurfaceOf = std::conditional_t<Dim == 2, ToolSurface, SolidSurface>;
-
-/// A tool with the view of pictures, or of solids, that it works on.
-template <int Dim>
+/// A tool with the view that it works on: of any shape, or of pictures or solids alone.
+template <class View = ShapeView>
 class ShapeTool : public Tool {
   public:
-    explicit ShapeTool(SurfaceOf<Dim>& surface) : m_surface(surface) {}
+    explicit ShapeTool(View& view) : m_view(view) {}
 
   protected:
-    SurfaceOf<Dim>& surface() const { return m_surface; }
-    ShapeSession& session() const { return m_surface.session(); }
+    View& view() const { return m_view; }
+    ShapeSession& session() const { return m_view.session(); }
+    /// Returns the frame of a picture or solid; null if the document has another dimension.
+    FramePtr frame() const {
+        const FramePtr shown = session().frame();
+        return shown && shown->dimension == m_view.dimension() ? shown : FramePtr();
+    }
 
   private:
-    SurfaceOf<Dim>& m_surface;
+    View& m_view;
 };
 
 }  // namespace wend

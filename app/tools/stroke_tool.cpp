@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/engine/shape/mesh_parts.h"
 #include "app/style/mark_size.h"
 #include "app/tools/drag_label.h"
 
@@ -28,32 +27,27 @@ QChar textOf(const QKeyEvent& key) {
 
 }  // namespace
 
-template <int Dim>
-Ball<Dim> StrokeTool<Dim>::ballOf(const Dab& dab) const {
+Ball<3> StrokeTool::ballOf(const Dab& dab) const {
     return {dab.rest, dab.radius * (1 + m_brush.now().hardness) / 2};
 }
 
-template <int Dim>
-double StrokeTool<Dim>::featherOf(const Dab& dab) const {
+double StrokeTool::featherOf(const Dab& dab) const {
     return dab.radius * (1 - m_brush.now().hardness);
 }
 
-template <int Dim>
-std::string StrokeTool<Dim>::partOf(const Dab& dab) const {
-    return partNameOf<Dim>(*session().template frame<Dim>()->rest, dab.place.cell);
+std::string StrokeTool::partOf(const Dab& dab) const {
+    return frame()->partOf(dab.place.cell);
 }
 
 /// Adds a ball around the rest place, unless it is close to an earlier one; the last one takes the pen's
 /// strongest pressure. Returns false if nothing changed.
-template <int Dim>
-bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
-    const auto frame = session().template frame<Dim>();
-    const auto touch = surface().touch(at);
+bool StrokeTool::dab(const QPointF& at, double pressure) {
+    const FramePtr frame = this->frame();
+    const auto touch = view().touch(at);
     if (!frame || !touch) return false;
-    if (!m_dabs.empty() && partNameOf<Dim>(*frame->rest, touch->place.cell) != partOf(m_dabs.front()))
-        return false;
-    Dab next{touch->place, positionOf<Dim>(touch->place, *frame->rest, frame->rest->points),
-             m_brush.now().radius * surface().pixelSize(touch->point), axisAt(*frame, *touch), pressure};
+    if (!m_dabs.empty() && frame->partOf(touch->place.cell) != partOf(m_dabs.front())) return false;
+    Dab next{touch->place, frame->restAt(touch->place), m_brush.now().radius * view().pixelSize(touch->point),
+             axisAt(*frame, *touch), pressure};
     const auto near = std::find_if(m_dabs.rbegin(), m_dabs.rend(), [&](const Dab& other) {
         return (other.rest - next.rest).norm() < kDabSpacing * next.radius;
     });
@@ -65,15 +59,14 @@ bool StrokeTool<Dim>::dab(const QPointF& at, double pressure) {
 }
 
 /// Interpolates between pointer events, so that strokes have no gaps.
-template <int Dim>
-void StrokeTool<Dim>::dabsTo(const QPointF& at) {
-    const auto frame = session().template frame<Dim>();
+void StrokeTool::dabsTo(const QPointF& at) {
+    const FramePtr frame = this->frame();
     if (!frame || frame->shape != m_mesh) {
         cancel();
         return;
     }
     bool grown = false;
-    const double leap = QLineF(m_last, at).length(), pressure = surface().pressure();
+    const double leap = QLineF(m_last, at).length(), pressure = view().pressure();
     const int steps = std::max(1, static_cast<int>(leap / (0.5 * kDabSpacing * m_brush.now().radius)));
     for (int i = 1; i <= steps; ++i) {
         const double part = double(i) / steps;
@@ -85,20 +78,17 @@ void StrokeTool<Dim>::dabsTo(const QPointF& at) {
     if (grown) follow(m_dabs);
 }
 
-template <int Dim>
-QString StrokeTool<Dim>::hint() const {
+QString StrokeTool::hint() const {
     return m_tuning ? QCoreApplication::translate("StrokeTool",
                                                   "To the right: larger; up: harder. Esc leaves it as it was")
                     : strokeHint();
 }
 
-template <int Dim>
-bool StrokeTool<Dim>::takesButton(const QMouseEvent& event) const {
+bool StrokeTool::takesButton(const QMouseEvent& event) const {
     return event.button() == Qt::RightButton && (event.modifiers() & Qt::AltModifier) && !m_active;
 }
 
-template <int Dim>
-void StrokeTool<Dim>::setTip(double radius, double hardness) {
+void StrokeTool::setTip(double radius, double hardness) {
     BrushSettings next = m_brush.now();
     next.radius = radius;
     next.hardness = hardness;
@@ -106,23 +96,21 @@ void StrokeTool<Dim>::setTip(double radius, double hardness) {
 }
 
 /// Adjusts size and hardness so that the rim follows the pointer.
-template <int Dim>
-void StrokeTool<Dim>::tune(const QPointF& at) {
+void StrokeTool::tune(const QPointF& at) {
     const QPointF way = at - m_tuning->from;
     setTip(m_tuning->radius + way.x(), m_tuning->hardness - way.y() / kHardnessWay);
 }
 
-template <int Dim>
-void StrokeTool<Dim>::press(const QMouseEvent& event) {
+void StrokeTool::press(const QMouseEvent& event) {
     m_cross.hide();
     if (takesButton(event)) {
         m_at = event.position();
         m_over = true;
         m_tuning = {m_brush.now().radius, m_brush.now().hardness, m_at};
-        surface().redraw();
+        view().redraw();
         return;
     }
-    const auto frame = session().template frame<Dim>();
+    const FramePtr frame = this->frame();
     if (m_tuning || event.button() != Qt::LeftButton || !frame) return;
     m_at = event.position();
     m_over = m_active = true;
@@ -130,25 +118,23 @@ void StrokeTool<Dim>::press(const QMouseEvent& event) {
     m_mesh = frame->shape;
     m_dabs.clear();
     m_last = m_at;
-    m_lastPressure = surface().pressure();
+    m_lastPressure = view().pressure();
     m_waits = (m_modifiers & Qt::ShiftModifier) && lineStart();
     if (!m_waits) start(m_at);
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void StrokeTool<Dim>::start(const QPointF& at) {
+void StrokeTool::start(const QPointF& at) {
     m_waits = false;
     begin();
     dabsTo(at);
 }
 
-template <int Dim>
-void StrokeTool<Dim>::move(const QMouseEvent& event) {
+void StrokeTool::move(const QMouseEvent& event) {
     m_cross.hide();
     if (m_tuning) {  // the brush stays where it was pressed
         tune(event.position());
-        surface().redraw();
+        view().redraw();
         return;
     }
     m_at = event.position();
@@ -158,32 +144,29 @@ void StrokeTool<Dim>::move(const QMouseEvent& event) {
         dabsTo(m_at);
     else if (!m_active)
         m_modifiers = event.modifiers();
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void StrokeTool<Dim>::release(const QMouseEvent& event) {
-    if (event.button() == Qt::RightButton && std::exchange(m_tuning, std::nullopt)) surface().redraw();
+void StrokeTool::release(const QMouseEvent& event) {
+    if (event.button() == Qt::RightButton && std::exchange(m_tuning, std::nullopt)) view().redraw();
     if (event.button() != Qt::LeftButton || !m_active) return;
     if (m_waits) drawLine();
     if (!std::exchange(m_active, false) || m_dabs.empty()) return;
     m_end = m_dabs.back().place;
-    const auto frame = session().template frame<Dim>();
-    m_endRest = frame ? frame->rest : nullptr;
+    const FramePtr frame = this->frame();
+    m_endShape = frame ? frame->shape : nullptr;
     take(std::exchange(m_dabs, {}));
-    surface().redraw();
+    view().redraw();
 }
 
 /// Returns the start of a straight line on the screen; nothing if the last stroke was on another mesh.
-template <int Dim>
-std::optional<QPointF> StrokeTool<Dim>::lineStart() const {
-    const auto frame = session().template frame<Dim>();
-    if (!drawsLines() || !m_end || !frame || frame->rest != m_endRest) return {};
-    return surface().toWidget(positionOf<Dim>(*m_end, *frame->rest, frame->pose));
+std::optional<QPointF> StrokeTool::lineStart() const {
+    const FramePtr frame = this->frame();
+    if (!drawsLines() || !m_end || !frame || frame->shape != m_endShape) return {};
+    return view().onScreen(frame->at(*m_end));
 }
 
-template <int Dim>
-void StrokeTool<Dim>::drawLine() {
+void StrokeTool::drawLine() {
     const QPointF to = m_last;
     m_last = *lineStart();
     m_modifiers &= ~Qt::ShiftModifier;
@@ -193,14 +176,13 @@ void StrokeTool<Dim>::drawLine() {
     dabsTo(to);
 }
 
-template <int Dim>
-bool StrokeTool<Dim>::key(const QKeyEvent& event) {
+bool StrokeTool::key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape && (m_active || m_tuning)) {
         cancel();
-        surface().redraw();
+        view().redraw();
         return true;
     }
-    if (!m_active && !m_tuning && m_cross.clicks<Dim>(event, surface(), *this)) return true;
+    if (!m_active && !m_tuning && m_cross.clicks(event, view(), *this)) return true;
     BrushSettings next = m_brush.now();
     const QChar text = textOf(event);
     const bool shift = event.modifiers() & Qt::ShiftModifier;
@@ -212,37 +194,34 @@ bool StrokeTool<Dim>::key(const QKeyEvent& event) {
     else
         next.radius *= up ? 1.25 : 0.8;
     m_brush.set(next);
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-void StrokeTool<Dim>::cancel() {
+void StrokeTool::cancel() {
     if (const auto before = std::exchange(m_tuning, std::nullopt)) setTip(before->radius, before->hardness);
-    if (std::exchange(m_active, false)) surface().showMaterial(nullptr);
+    if (std::exchange(m_active, false)) view().showMaterial(nullptr);
     m_waits = false;
     m_dabs.clear();
 }
 
 /// Draws circles around touched places.
-template <int Dim>
-void StrokeTool<Dim>::paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const {
-    const auto frame = session().template frame<Dim>();
+void StrokeTool::paintStroke(QPainter& painter, const std::vector<Dab>& dabs) const {
+    const FramePtr frame = this->frame();
     if (!frame) return;
     QColor fill = colour();
     fill.setAlpha(60);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
     for (const Dab& one : dabs) {
-        const Vec<Dim> p = positionOf<Dim>(one.place, *frame->rest, frame->pose);
-        const double r = ballOf(one).radius / surface().pixelSize(p);
-        painter.drawEllipse(surface().toWidget(p), r, r);
+        const Vec3 p = frame->at(one.place);
+        const double r = ballOf(one).radius / view().pixelSize(p);
+        painter.drawEllipse(view().onScreen(p), r, r);
     }
 }
 
 /// Draws the line that a Shift-click would add.
-template <int Dim>
-void StrokeTool<Dim>::paintLine(QPainter& painter) const {
+void StrokeTool::paintLine(QPainter& painter) const {
     const auto from = lineStart();
     if (!from || !(m_modifiers & Qt::ShiftModifier) || (m_active && !m_waits)) return;
     painter.setBrush(Qt::NoBrush);
@@ -254,8 +233,7 @@ void StrokeTool<Dim>::paintLine(QPainter& painter) const {
 }
 
 /// Size and hardness in numbers, as the panel has them.
-template <int Dim>
-void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
+void StrokeTool::paintTuning(QPainter& painter) const {
     if (!m_tuning) return;
     const QLocale locale;
     paintLabel(painter, m_at + QPointF(14, 14),
@@ -266,47 +244,42 @@ void StrokeTool<Dim>::paintTuning(QPainter& painter) const {
 
 /// Returns two tangents of equal length and the place on the surface under the pointer; nothing outside it,
 /// or if a few pixels away another part is visible.
-template <int Dim>
-std::optional<Mat<3>> StrokeTool<Dim>::facing(const QPointF& at) const {
-    if constexpr (Dim == 3) {
-        const auto middle = surface().touch(at), right = surface().touch(at + QPointF(kFace, 0)),
-                   below = surface().touch(at + QPointF(0, kFace));
-        if (!middle || !right || !below) return {};
-        const Vec<3> u = right->point - middle->point, v = below->point - middle->point;
-        const Vec<3> normal = u.cross(v).normalized();
-        const double most = kSteepest * kFace * surface().pixelSize(middle->point);
-        if (!normal.allFinite() || normal.isZero() || u.norm() > most || v.norm() > most) return {};
-        Mat<3> face;
-        face << u.normalized(), normal.cross(u.normalized()), middle->point;
-        return face;
-    } else
-        return {};
+std::optional<Mat<3>> StrokeTool::facing(const QPointF& at) const {
+    if (view().dimension() == 2) return {};
+    const auto middle = view().touch(at), right = view().touch(at + QPointF(kFace, 0)),
+               below = view().touch(at + QPointF(0, kFace));
+    if (!middle || !right || !below) return {};
+    const Vec3 u = right->point - middle->point, v = below->point - middle->point;
+    const Vec3 normal = u.cross(v).normalized();
+    const double most = kSteepest * kFace * view().pixelSize(middle->point);
+    if (!normal.allFinite() || normal.isZero() || u.norm() > most || v.norm() > most) return {};
+    Mat<3> face;
+    face << u.normalized(), normal.cross(u.normalized()), middle->point;
+    return face;
 }
 
 /// Returns the ring of that radius in pixels, on the surface of a solid or on the screen.
-template <int Dim>
-QPainterPath StrokeTool<Dim>::ringAt(const QPointF& at, double radius) const {
+QPainterPath StrokeTool::ringAt(const QPointF& at, double radius) const {
     QPainterPath ring;
     const auto face = facing(at);
-    if (!face) ring.addEllipse(at, radius, radius);
-    if constexpr (Dim == 3)
-        if (face) {
-            const Vec<3> middle = face->col(2);
-            const double length = radius * surface().pixelSize(middle);
-            QPolygonF line;
-            for (int i = 0; i <= kRingParts; ++i) {
-                const double angle = 2 * std::numbers::pi * i / kRingParts;
-                line << surface().toWidget(
-                    middle + length * (std::cos(angle) * face->col(0) + std::sin(angle) * face->col(1)));
-            }
-            ring.addPolygon(line);
-        }
+    if (!face) {
+        ring.addEllipse(at, radius, radius);
+        return ring;
+    }
+    const Vec3 middle = face->col(2);
+    const double length = radius * view().pixelSize(middle);
+    QPolygonF line;
+    for (int i = 0; i <= kRingParts; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRingParts;
+        line << view().onScreen(middle +
+                                length * (std::cos(angle) * face->col(0) + std::sin(angle) * face->col(1)));
+    }
+    ring.addPolygon(line);
     return ring;
 }
 
 /// Draws the brush: its rim, its hard core and its effect.
-template <int Dim>
-void StrokeTool<Dim>::paint(QPainter& painter) const {
+void StrokeTool::paint(QPainter& painter) const {
     paintStroke(painter, m_dabs);
     m_cross.paint(painter);
     if (!m_over && !m_active) return;
@@ -330,8 +303,5 @@ void StrokeTool<Dim>::paint(QPainter& painter) const {
     enlarged(painter, m_at, [&] { painter.drawText(QRectF(-10, -10, 20, 20), Qt::AlignCenter, sign); });
     paintTuning(painter);
 }
-
-template class StrokeTool<2>;
-template class StrokeTool<3>;
 
 }  // namespace wend

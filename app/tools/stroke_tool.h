@@ -12,10 +12,9 @@ namespace wend {
 /// A brush over a picture or a solid, which adds balls around the rest places under the pointer. `[` and `]`
 /// change its size, with Shift its hardness; an Alt-drag with the right button changes both. Esc cancels the
 /// stroke. Pen pressure is used. Arrow keys move it, Enter touches the shape.
-template <int Dim>
-class StrokeTool : public ShapeTool<Dim> {
+class StrokeTool : public ShapeTool<> {
   public:
-    StrokeTool(SurfaceOf<Dim>& view, Brush& tip) : ShapeTool<Dim>(view), m_brush(tip) {}
+    StrokeTool(ShapeView& view, Brush& tip) : ShapeTool<>(view), m_brush(tip) {}
 
     QString hint() const final;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -33,14 +32,14 @@ class StrokeTool : public ShapeTool<Dim> {
 
   protected:
     struct Dab {
-        Location<Dim> place;
-        Vec<Dim> rest;
+        Place place;
+        Vec3 rest;
         double radius;  // of the whole brush, in the domain's units
-        Vec<Dim> axis;  // see axisAt()
+        Vec3 axis;      // see axisAt()
         double pressure;
     };
     /// Half of the soft edge is within this ball, half beyond it.
-    Ball<Dim> ballOf(const Dab& dab) const;
+    Ball<3> ballOf(const Dab& dab) const;
     double featherOf(const Dab& dab) const;
     /// Returns the name of the picture's part on which the stroke began.
     std::string partOf(const Dab& dab) const;
@@ -54,7 +53,7 @@ class StrokeTool : public ShapeTool<Dim> {
     /// A stroke begins.
     virtual void begin() {}
     /// Returns the rest direction that a ball stores; zero for none.
-    virtual Vec<Dim> axisAt(const PosedFrame<Dim>&, const Touch<Dim>&) const { return Vec<Dim>::Zero(); }
+    virtual Vec3 axisAt(const ShapeFrame&, const Touch&) const { return Vec3::Zero(); }
     /// Called when a stroke has become longer.
     virtual void follow(const std::vector<Dab>&) {}
     /// A stroke is complete; it has at least one ball.
@@ -67,8 +66,6 @@ class StrokeTool : public ShapeTool<Dim> {
     /// Returns the modifiers at the start of the stroke, or the current ones between strokes. Those of a
     /// straight line exclude Shift.
     Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
 
   private:
     /// A drag that adjusts the brush: its former settings and the pressed place.
@@ -92,19 +89,16 @@ class StrokeTool : public ShapeTool<Dim> {
     KeyCross m_cross;
     std::optional<Tuning> m_tuning;
     bool m_active = false;
-    bool m_over = false;        // the pointer is over the view
-    QPointF m_at;               // of the pointer
-    QPointF m_last;             // the last place of the stroke …
-    double m_lastPressure = 1;  // … and how hard it was pressed there
-    bool m_waits = false;       // pressed with Shift: a line if it is a click, a stroke if it is drawn
-    std::optional<Location<Dim>> m_end;  // of the last stroke, on …
-    std::shared_ptr<const SimplicialMesh<Dim>> m_endRest;
+    bool m_over = false;         // the pointer is over the view
+    QPointF m_at;                // of the pointer
+    QPointF m_last;              // the last place of the stroke …
+    double m_lastPressure = 1;   // … and how hard it was pressed there
+    bool m_waits = false;        // pressed with Shift: a line if it is a click, a stroke if it is drawn
+    std::optional<Place> m_end;  // of the last stroke, on …
+    std::shared_ptr<const void> m_endShape;
     Qt::KeyboardModifiers m_modifiers;
     std::shared_ptr<const void> m_mesh;  // that the stroke began on: its balls are places of this one
     std::vector<Dab> m_dabs;
 };
-
-extern template class StrokeTool<2>;
-extern template class StrokeTool<3>;
 
 }  // namespace wend

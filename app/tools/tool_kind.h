@@ -18,8 +18,8 @@ class Brush;
 
 /// The objects that tools work on.
 struct Workbench {
-    ToolSurface* picture;
-    SolidSurface* solid;  // null before the first solid
+    PictureShapeView* picture;
+    SolidShapeView* solid;  // null before the first solid
     Brush* brush;
     PinChoice* pins;
     OutlinePen* pen;
@@ -47,17 +47,17 @@ Part& partOf(const Workbench& on, Part* Workbench::*part) {
 inline std::function<void()> partOf(const Workbench& on, std::function<void()> Workbench::*part) {
     return on.*part;
 }
-template <class OneTool, class Surface, class... Parts>
-ToolMakers::Make maker(Surface surface, Parts... parts) {
+template <class OneTool, class View, class... Parts>
+ToolMakers::Make maker(View view, Parts... parts) {
     return [=](const Workbench& on) {
-        return std::make_unique<OneTool>(partOf(on, surface), partOf(on, parts)...);
+        return std::make_unique<OneTool>(partOf(on, view), partOf(on, parts)...);
     };
 }
 
-/// Makes a tool whose constructor takes the surface and these parts.
-template <template <int> class ToolOf, class... Parts>
+/// Makes a tool whose constructor takes the view and these parts.
+template <class OneTool, class... Parts>
 ToolMakers both(Parts... parts) {
-    return {maker<ToolOf<2>>(&Workbench::picture, parts...), maker<ToolOf<3>>(&Workbench::solid, parts...)};
+    return {maker<OneTool>(&Workbench::picture, parts...), maker<OneTool>(&Workbench::solid, parts...)};
 }
 template <class OneTool, class... Parts>
 ToolMakers picturesOnly(Parts... parts) {

@@ -31,23 +31,23 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
 
 }  // namespace
 
-void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2>& velocity,
+void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points<2>& velocity,
                          const QSize& size) {
-    const auto frame = surface.shownFrame();
-    if (!frame || velocity.cols() != frame->pose.cols()) return;
+    const FramePtr frame = view.shownFrame();
+    if (!frame || velocity.cols() != frame->vertices) return;
     const double fastest = velocity.colwise().norm().maxCoeff();
     if (!(fastest > 0)) return;
     const double grid = marked(kArrowGrid);
     for (double y = grid / 2; y < size.height(); y += grid)
         for (double x = grid / 2; x < size.width(); x += grid) {
-            const auto touch = surface.touch(QPointF(x, y));
+            const auto touch = view.touch(QPointF(x, y));
             if (!touch) continue;
-            const Cell<2>& cell = frame->rest->cells[touch->place.cell];
+            const auto cell = frame->corners(touch->place.cell);
             Vec<2> v = Vec<2>::Zero();
             for (int k = 0; k < 3; ++k) v += touch->place.weights[k] * velocity.col(cell[k]);
             // The view may show the domain mirrored.
-            const Vec<2> step = v / fastest * surface.pixelSize(touch->point) * marked(kLong);
-            const QPointF way = surface.toWidget(touch->point + step) - surface.toWidget(touch->point);
+            const Vec3 step = inSpace(Vec<2>(v / fastest * view.pixelSize(touch->point) * marked(kLong)));
+            const QPointF way = view.onScreen(touch->point + step) - view.onScreen(touch->point);
             if (std::hypot(way.x(), way.y()) >= marked(kShortestArrow))
                 paintArrow(painter, QPointF(x, y), way);
         }

@@ -2,12 +2,12 @@
 
 #include <QPainter>
 
-#include "app/tools/tool_surface.h"
+#include "app/tools/picture_shape_view.h"
 
 namespace wend {
 
 /// Draws arrows on a screen grid for the velocity at the shown time, relative to the largest one.
-void paintVelocityArrows(QPainter& painter, ToolSurface& surface, const Points<2>& velocity,
+void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points<2>& velocity,
                          const QSize& size);
 
 }  // namespace wend

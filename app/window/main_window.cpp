@@ -285,8 +285,7 @@ void MainWindow::connectEdit() {
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
         std::vector<int> all;
-        for (const auto& pin : m_session.pins<2>()) all.push_back(pin.handle);
-        for (const auto& pin : m_session.pins<3>()) all.push_back(pin.handle);
+        for (const auto& pin : m_session.pins()) all.push_back(pin.handle);
         m_session.selection().set(std::move(all));
     });
     connect(a.makePart, &QAction::triggered, this, [this] {

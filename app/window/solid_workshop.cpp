@@ -241,14 +241,14 @@ void SolidWorkshop::holdBeyondCut() {
     if (frame->pose == frame->rest->points) {  // at rest it can be a region
         const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
         if (!verticesInside<3>(half, *frame->rest).empty())
-            m_around.session.addHandle<3>(half, tr("Region").toStdString());
+            m_around.session.addHandle(half, tr("Region").toStdString());
         return;
     }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
     ShapeSession& session = m_around.session;
-    if (!beyond.empty()) session.addHandle<3>(session.placementOf(beyond), tr("Area").toStdString());
+    if (!beyond.empty()) session.addHandle(session.placementOf(beyond), tr("Area").toStdString());
 }
 
 }  // namespace wend

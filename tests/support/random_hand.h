@@ -111,11 +111,11 @@ class RandomHand {
     }
     QPointF onPin() {
         ShapeSession& session = m_window.session();
-        const auto flat = session.pins<2>();
-        if (!flat.empty()) return m_window.canvas().toWidget(flat[upTo(int(flat.size()))].centre);
-        const auto solid = session.pins<3>();
-        if (solid.empty()) return onShape();
-        return m_window.solids().canvas()->toWidget(solid[upTo(int(solid.size()))].centre);
+        const auto pins = session.pins();
+        if (pins.empty()) return onShape();
+        const Vec3 at = pins[upTo(static_cast<int>(pins.size()))].centre;
+        return session.document().dimension() == 2 ? m_window.canvas().onScreen(at)
+                                                   : m_window.solids().canvas()->onScreen(at);
     }
     /// Of a widget: on the shape, on a pin, on its edge, outside, anywhere.
     QPointF spot(const QWidget& widget) {

@@ -11,12 +11,11 @@ namespace wend {
 template <int Dim>
 class MaterialPreview {
   public:
-    using Painted = std::shared_ptr<const Material<Dim>>;
-
-    /// `lasts`: through the next change of the project, which is that it is painted.
-    void set(const PosedPtr<Dim>& frame, Painted painted, bool lasts) {
+    /// Shows the material of another frame, or none. `lasts`: through the next change of the project, which
+    /// is that it is painted.
+    void set(const PosedPtr<Dim>& frame, const PosedPtr<Dim>& painted, bool lasts) {
         m_upon = frame ? frame->material : nullptr;
-        m_painted = std::move(painted);
+        m_painted = painted ? painted->material : nullptr;
         m_lasts = lasts;
     }
     void takeProject() {
@@ -35,7 +34,7 @@ class MaterialPreview {
     }
 
   private:
-    Painted m_upon, m_painted;
+    std::shared_ptr<const Material<Dim>> m_upon, m_painted;
     bool m_lasts = false;
     mutable PosedPtr<Dim> m_frame, m_shown;  // result of the last call of over()
 };

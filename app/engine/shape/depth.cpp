@@ -72,7 +72,7 @@ std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const Sim
     std::vector<float> depths;
     depths.reserve(rest.cells.size());
     for (std::size_t c = 0; c < rest.cells.size(); ++c)
-        depths.push_back(orderAt(regions, partNameOf<2>(rest, static_cast<int>(c)),
+        depths.push_back(orderAt(regions, partNameOf(rest.parts, static_cast<int>(c)),
                                  triangleCentroid(rest, rest.cells[c])));
     const bool flat = std::ranges::all_of(depths, [&](float depth) { return depth == depths.front(); });
     return flat ? std::vector<float>() : depths;

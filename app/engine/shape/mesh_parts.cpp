@@ -56,9 +56,8 @@ std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell) {
     return part;
 }
 
-template <int Dim>
-std::string partNameOf(const SimplicialMesh<Dim>& mesh, int cell) {
-    for (const MeshPart& part : mesh.parts)
+std::string partNameOf(const std::vector<MeshPart>& parts, int cell) {
+    for (const MeshPart& part : parts)
         if (part.firstCell <= cell && cell < part.endCell) return part.name;
     return {};
 }
@@ -81,7 +80,6 @@ Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>
 
 #define WEND_INSTANTIATE(Dim)                                                                    \
     template std::vector<int> partOf<Dim>(const SimplicialMesh<Dim>&, int);                      \
-    template std::string partNameOf<Dim>(const SimplicialMesh<Dim>&, int);                       \
     template Region<Dim> regionAround<Dim>(const SimplicialMesh<Dim>&, const std::vector<int>&); \
     template Region<Dim> regionOfAll<Dim>(const SimplicialMesh<Dim>&)
 WEND_INSTANTIATE(2);

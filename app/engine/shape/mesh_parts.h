@@ -12,9 +12,8 @@ namespace wend {
 template <int Dim>
 std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
 
-/// Returns the name of the part of a picture that a cell belongs to; empty if the mesh has no parts.
-template <int Dim>
-std::string partNameOf(const SimplicialMesh<Dim>& mesh, int cell);
+/// Returns the name of the part of a picture that a cell belongs to; empty if there are no parts.
+std::string partNameOf(const std::vector<MeshPart>& parts, int cell);
 
 /// Returns a region around the points at rest: in the plane their outer outline, in space a box.
 template <int Dim>

@@ -25,7 +25,7 @@ void makeCurve(ShapeSession& session) {
     const int handle = single(session);
     const auto starts = session.pathStarts(handle);
     if (starts.empty()) return;
-    const auto path = pinPaths<3>(document.design().handles[handle], {meanOf<3>(starts)});
+    const auto path = pinPaths(document.design().handles[handle], {meanOf(starts)}, document.dimension());
     const auto next = withCurve(document.design(), handle, path.front().points.back());
     if (next) document.changeDesign(ShapeSession::tr("Edit path"), *next);
 }

@@ -14,22 +14,9 @@ std::vector<Vec3> startsOf(const ShapeSession& session) {
     std::vector<Vec3> starts;
     for (int h = 0; h < session.handleCount(); ++h) {
         const auto own = session.pathStarts(h);
-        starts.push_back(own.empty() ? Vec3(Vec3::Zero()) : meanOf<3>(own));
+        starts.push_back(own.empty() ? Vec3(Vec3::Zero()) : meanOf(own));
     }
     return starts;
-}
-
-template <int Dim>
-std::vector<CopiedKey> mirroredKeysOf(const ShapeSession& session, std::vector<CopiedKey> copies) {
-    const auto frame = session.frame<Dim>();
-    if (!frame) return {};
-    const Mirror mirror = mirrorOf<Dim>(*frame->rest);
-    const std::vector<int> images = mirrorImages<Dim>(*frame, session.document().design().handles);
-    for (CopiedKey& copy : copies) {
-        copy.handle = images.at(static_cast<std::size_t>(copy.handle));
-        copy.offset = mirror.along(copy.offset);
-    }
-    return copies;
 }
 
 }  // namespace
@@ -39,8 +26,15 @@ std::vector<CopiedKey> copyKeys(const ShapeSession& session, const std::vector<K
 }
 
 std::vector<CopiedKey> mirroredKeys(const ShapeSession& session, std::vector<CopiedKey> copies) {
-    return session.document().dimension() == 2 ? mirroredKeysOf<2>(session, std::move(copies))
-                                               : mirroredKeysOf<3>(session, std::move(copies));
+    const FramePtr frame = session.frame();
+    if (!frame) return {};
+    const Mirror mirror = mirrorOf(*frame);
+    const std::vector<int> images = mirrorImages(*frame, session.document().design().handles);
+    for (CopiedKey& copy : copies) {
+        copy.handle = images.at(static_cast<std::size_t>(copy.handle));
+        copy.offset = mirror.along(copy.offset);
+    }
+    return copies;
 }
 
 std::vector<CopiedKey> forSelected(const ShapeSession& session, const std::vector<CopiedKey>& copies) {

@@ -8,13 +8,11 @@ namespace wend {
 /// Returns the mirror of a shape: for pictures the vertical line through the middle, for solids the
 /// axis-aligned plane through the middle that makes it most similar to its mirror image (the first of
 /// equals).
-template <int Dim>
-Mirror mirrorOf(const SimplicialMesh<Dim>& rest);
+Mirror mirrorOf(const ShapeFrame& frame);
 
 /// Returns for each handle the one that is nearest to its mirror image, which may be itself; itself if none
 /// is near.
-template <int Dim>
-std::vector<int> mirrorImages(const PosedFrame<Dim>& frame, const std::vector<Pin>& handles);
+std::vector<int> mirrorImages(const ShapeFrame& frame, const std::vector<Pin>& handles);
 
 /// Adds and selects a mirrored pin with a mirrored motion for each selected pin. Emits a notice where that is
 /// impossible.

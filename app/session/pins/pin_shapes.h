@@ -5,24 +5,20 @@
 namespace wend {
 
 /// Returns one path for all points of a handle.
-template <int Dim>
-std::vector<Vec<Dim>> shownStarts(const std::vector<Vec<Dim>>& starts) {
+inline std::vector<Vec3> shownStarts(const std::vector<Vec3>& starts) {
     constexpr std::size_t kMost = 3;
-    return starts.size() <= kMost ? starts : std::vector<Vec<Dim>>{meanOf<Dim>(starts)};
+    return starts.size() <= kMost ? starts : std::vector<Vec3>{meanOf(starts)};
 }
 
 /// Widens a pin to a disc or ball, or reduces it to a point for radius 0. Returns false and emits a notice if
 /// the radius is too small to contain a vertex. Consecutive changes with the same `key` merge into one step.
-template <int Dim>
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key = {});
 
 /// Returns whether the pin holds a single point, which turns with the shape around it.
-template <int Dim>
 bool holdsPoint(const ShapeSession& session, int handle);
 
 /// Widens a pin that is a point to the smallest disc or ball that can turn. Returns false and emits a notice
 /// if it is locked.
-template <int Dim>
 bool widenPoint(ShapeSession& session, int handle);
 
 /// Returns the angle by which the shape is rotated at the pin in the frame that is shown.

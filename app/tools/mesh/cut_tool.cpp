@@ -30,26 +30,26 @@ QCursor CutTool::cursor() const {
 }
 
 bool CutTool::wants(const QPointF& at) const {
-    return isShown() && (m_dragging || m_manipulator.partAt(surface(), at));
+    return isShown() && (m_dragging || m_manipulator.partAt(view(), at));
 }
 
 void CutTool::press(const QMouseEvent& event) {
-    const auto part = m_manipulator.partAt(surface(), event.position());
+    const auto part = m_manipulator.partAt(view(), event.position());
     if (!part) return;
     m_part = part;
     m_start = m_plane;
     m_dragging = true;
-    m_manipulator.begin(*part, surface(), event.position());
+    m_manipulator.begin(*part, view(), event.position());
 }
 
 void CutTool::move(const QMouseEvent& event) {
     if (!m_dragging) {
-        m_part = isShown() ? m_manipulator.partAt(surface(), event.position()) : std::nullopt;
-        surface().redraw();
+        m_part = isShown() ? m_manipulator.partAt(view(), event.position()) : std::nullopt;
+        view().redraw();
         return;
     }
-    const Amount amount = m_manipulator.drag(surface(), event.position());
-    const Grip grip = m_manipulator.grip(surface());
+    const Amount amount = m_manipulator.drag(view(), event.position());
+    const Grip grip = m_manipulator.grip(view());
     m_plane.point = carried(grip, amount, m_start.point);
     m_plane.normal = carried(grip, amount, Vec<3>(m_start.point + m_start.normal)) - m_plane.point;
     m_changed(m_plane);
@@ -77,11 +77,11 @@ void CutTool::paint(QPainter& painter) const {
     if (!isShown()) return;
     Manipulator shown = m_manipulator;
     if (m_dragging) {
-        CutTool copy(surface(), {}, {});
+        CutTool copy(view(), {}, {});
         copy.setPlane(m_plane);
         shown = copy.m_manipulator;
     }
-    shown.paint(painter, surface(), m_part);
+    shown.paint(painter, view(), m_part);
 }
 
 }  // namespace wend

@@ -8,12 +8,12 @@ namespace wend {
 
 /// The cutting plane of a solid: an arrow moves it, two rings tilt it. It is shown over the active tool,
 /// unless that shows its own manipulator; in the step *Mesh* the plane takes precedence.
-class CutTool : public ShapeTool<3> {
+class CutTool : public ShapeTool<SolidShapeView> {
   public:
     using Changed = std::function<void(const CutPlane&)>;
     /// `isBeside`: whether the tool that is chosen has a manipulator.
-    CutTool(SolidSurface& surface, Changed changed, std::function<bool()> isBeside)
-        : ShapeTool<3>(surface), m_changed(std::move(changed)), m_isBeside(std::move(isBeside)) {}
+    CutTool(SolidShapeView& view, Changed changed, std::function<bool()> isBeside)
+        : ShapeTool<SolidShapeView>(view), m_changed(std::move(changed)), m_isBeside(std::move(isBeside)) {}
 
     void setActive(bool active) { m_active = active; }
     void setFirst(bool first) { m_first = first; }

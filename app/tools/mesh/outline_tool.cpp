@@ -42,8 +42,8 @@ Outline shifted(Outline outline, const Vec<2>& by) {
 
 }  // namespace
 
-OutlineTool::OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen)
-    : ShapeTool<2>(view), m_shape(shape), m_pen(pen) {
+OutlineTool::OutlineTool(PictureShapeView& view, Shape shape, OutlinePen& pen)
+    : ShapeTool<PictureShapeView>(view), m_shape(shape), m_pen(pen) {
     QObject::connect(&m_pen, &OutlinePen::changed, &m_listener, [this] { takeAgain(); });
 }
 
@@ -198,7 +198,7 @@ void OutlineTool::press(const QMouseEvent& event) {
         m_line = {m_at};
         m_active = true;
     }
-    surface().redraw();
+    view().redraw();
 }
 
 void OutlineTool::move(const QMouseEvent& event) {
@@ -206,7 +206,7 @@ void OutlineTool::move(const QMouseEvent& event) {
     takePointer(event);
     m_over = isReady();
     if (m_active && isDrawn()) m_line << m_at;
-    surface().redraw();
+    view().redraw();
 }
 
 void OutlineTool::release(const QMouseEvent& event) {
@@ -214,7 +214,7 @@ void OutlineTool::release(const QMouseEvent& event) {
     m_at = event.position();
     m_line << m_at;
     finish(event.modifiers());
-    surface().redraw();
+    view().redraw();
 }
 
 /// The press before it has set the last corner.
@@ -223,7 +223,7 @@ void OutlineTool::doubleClick(const QMouseEvent& event) {
         finish(event.modifiers());
     else
         press(event);
-    surface().redraw();
+    view().redraw();
 }
 
 bool OutlineTool::ownsKey(const QKeyEvent& event) const {
@@ -233,7 +233,7 @@ bool OutlineTool::ownsKey(const QKeyEvent& event) const {
 }
 
 bool OutlineTool::key(const QKeyEvent& event) {
-    if (m_shape == Shape::Wand && m_cross.clicks<2>(event, surface(), *this)) return true;
+    if (m_shape == Shape::Wand && m_cross.clicks(event, view(), *this)) return true;
     const bool smaller = event.text() == QStringLiteral("["), larger = event.text() == QStringLiteral("]");
     if (event.key() == Qt::Key_Escape && m_active) {
         cancel();
@@ -247,7 +247,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
     } else {
         return false;
     }
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
@@ -277,7 +277,7 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
     Outline outline;
     for (const QPolygonF& polygon : area.simplified().toSubpathPolygons()) {
         auto& loop = outline.loops.emplace_back();
-        for (const QPointF& p : polygon) loop.push_back(surface().toShape(p));
+        for (const QPointF& p : polygon) loop.push_back(view().toShape(p));
         if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     }
     std::erase_if(outline.loops, [](const auto& loop) { return loop.size() < 3; });
@@ -287,7 +287,7 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
 /// Returns the drawn line as a band of width kSlit. The normal of a corner is the mean of its sides' normals.
 Outline OutlineTool::slit(double tolerance) const {
     std::vector<Vec<2>> way;
-    for (const QPointF& p : m_line) way.push_back(surface().toShape(p));
+    for (const QPointF& p : m_line) way.push_back(view().toShape(p));
     way = wend::simplified<2>(way, tolerance);
     if (way.size() < 2) return {};
     const auto side = [&](std::size_t i) { return Vec<2>((way[i + 1] - way[i]).unitOrthogonal()); };
@@ -302,7 +302,7 @@ Outline OutlineTool::slit(double tolerance) const {
 }
 
 Outline OutlineTool::piece() const {
-    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+    const double pixel = (view().toShape({1, 0}) - view().toShape({0, 0})).norm();
     if (m_shape == Shape::Cut) return slit(kOutlineDetail * pixel);
     const Outline clean = combined(inPicture(area()), {}, OutlineOperation::Add);
     return m_shape == Shape::Polygon ? clean : simplified(clean, kOutlineDetail * pixel);
@@ -315,7 +315,7 @@ bool OutlineTool::isThin(const Outline& drawn) const {
     for (const auto& loop : drawn.loops)
         for (std::size_t i = 0; i < loop.size(); ++i)
             length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-    const double pixel = (surface().toShape({1, 0}) - surface().toShape({0, 0})).norm();
+    const double pixel = (view().toShape({1, 0}) - view().toShape({0, 0})).norm();
     return 2 * areaOf(drawn) < kThin * pixel * length;
 }
 
@@ -350,11 +350,11 @@ void OutlineTool::takeColour(const QMouseEvent& event) {
     Document& document = session().document();
     if (makesPart()) {
         const Outline found =
-            outlineOfColour(*document.picture(), surface().toShape(event.position()), m_pen.now().tolerance);
+            outlineOfColour(*document.picture(), view().toShape(event.position()), m_pen.now().tolerance);
         if (!found.loops.empty()) makePart(session(), found);
         return;
     }
-    m_taken = Taken{surface().toShape(event.position()), takesAway(event.modifiers()),
+    m_taken = Taken{view().toShape(event.position()), takesAway(event.modifiers()),
                     QStringLiteral("wand %1").arg(document.undoStack()->index()), document.project(),
                     document.project()};
     takeAgain();
@@ -389,7 +389,7 @@ void OutlineTool::takeAgain() {
     const Outline found = outlineOfColourAt(m_taken->at);
     if (!found.loops.empty()) apply(*m_taken->before, found, m_taken->takesAway, m_taken->key);
     m_taken->after = session().document().project();
-    surface().redraw();
+    view().redraw();
 }
 
 void OutlineTool::apply(const Project& project, const Outline& piece, bool takesAway, const QString& key) {
@@ -436,13 +436,13 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     const auto whole = wholeOf(*session().document().project());
     for (const auto& loop : outlineOf(domainOf(*whole)).loops) {
         QPolygonF polygon;
-        for (const Vec<2>& p : loop) polygon << surface().toWidget(p);
+        for (const Vec<2>& p : loop) polygon << view().toWidget(p);
         path.addPolygon(polygon);
         path.closeSubpath();
     }
     QPainterPath all;
     const Vec<2> end = own.at + Vec<2>(own.picture->width, own.picture->height);
-    all.addRect(QRectF(surface().toWidget(own.at), surface().toWidget(end)));
+    all.addRect(QRectF(view().toWidget(own.at), view().toWidget(end)));
     all.addPath(path);  // even-odd rule: removes the area
     painter.setPen(Qt::NoPen);
     painter.setBrush(kLeftOut);

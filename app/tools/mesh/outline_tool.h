@@ -18,10 +18,10 @@ namespace wend {
 /// touching parts. With OutlineUse::MakePart the drawn area becomes a part of its own, also of a picture that
 /// has parts. If the whole picture is deformed, the first drawing becomes the outline. Works on the rest
 /// shape: the tool moves to its time, and back when another tool is activated.
-class OutlineTool : public ShapeTool<2> {
+class OutlineTool : public ShapeTool<PictureShapeView> {
   public:
     enum class Shape { Lasso, Polygon, Brush, Wand, Cut };
-    OutlineTool(ToolSurface& view, Shape shape, OutlinePen& pen);
+    OutlineTool(PictureShapeView& view, Shape shape, OutlinePen& pen);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/engine/shape/material_raster.h"
 #include "app/project/edits/free_name.h"
 #include "app/style/colours.h"
 
@@ -29,29 +28,30 @@ QString stopName(double phi, int dimension) {
 
 }  // namespace
 
-template <int Dim>
-MaterialPaint paintOf(const BrushSettings& brush, const Vec<Dim>& along) {
+Vec3 axisOf(const BrushSettings& brush, int dimension) {
+    return dimension == 2 ? inSpace(inPlane(brush.axis)) : brush.axis;
+}
+
+MaterialPaint paintOf(const BrushSettings& brush, int dimension, const Vec3& along) {
     MaterialPaint paint;
     if (brush.target == BrushTarget::Keep) {
         paint.phi = brush.phi;
         return paint;
     }
-    Vec<Dim> axis = brush.axis.template head<Dim>();
+    Vec3 axis = axisOf(brush, dimension);
     if (brush.along != StiffAlong::Axis && !along.isZero()) axis = along;
-    if (axis.isZero()) axis = Vec<Dim>::UnitX();
-    paint.stiffness = Stiffness{inSpace(Vec<Dim>(axis.normalized())), brush.ratio};
+    if (axis.isZero()) axis = Vec3::UnitX();
+    paint.stiffness = Stiffness{axis.normalized(), brush.ratio};
     return paint;
 }
 
-template <int Dim>
-void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush) {
+void pickMaterial(const EditedMaterial& material, int cell, Brush& brush) {
     BrushSettings next = brush.now();
-    next.phi = frame.material->phi[cell];
+    next.phi = material.phiOf(cell);
     next.ratio = 1;
-    if (!frame.material->anisotropy.empty()) {
-        const Stiffness stiffness = stiffnessOf<Dim>(frame.material->anisotropy[cell]);
-        next.ratio = std::max(1.0, stiffness.ratio);
-        next.axis = stiffness.axis;
+    if (const auto stiffness = material.stiffnessOf(cell)) {
+        next.ratio = std::max(1.0, stiffness->ratio);
+        next.axis = stiffness->axis;
     }
     brush.set(next);
 }
@@ -82,7 +82,6 @@ bool hasPaintOf(const MaterialRegion& region, const BrushSettings& brush) {
 }
 
 /// Returns whether a layer takes paint. Hidden layers do not, because the paint would be invisible.
-template <int Dim>
 bool takes(const Design& design, const std::string& layer, const BrushSettings& brush,
            const ChosenLayer& chosen, const std::string& aim) {
     if (layer.empty() || isGroupHidden(design, layer)) return false;
@@ -98,32 +97,30 @@ bool takes(const Design& design, const std::string& layer, const BrushSettings& 
 
 }  // namespace
 
-template <int Dim>
 std::string layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
                      const std::string& aim, const std::string& kind) {
     const auto& regions = design.material.regions;
     const auto isFit = [&](const std::string& layer) {
-        return layerBegin(design, layer) < regions.size() && takes<Dim>(design, layer, brush, chosen, aim);
+        return layerBegin(design, layer) < regions.size() && takes(design, layer, brush, chosen, aim);
     };
     if (isFit(chosen.name)) return chosen.name;
     if (!regions.empty() && isFit(regions.back().name)) return regions.back().name;
     return freeName(namesOf(regions), kind);
 }
 
-template <int Dim>
-QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer) {
+QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer) {
     static const QRegularExpression numbered(QStringLiteral(" \\d+$"));
     const QString own = QString::fromStdString(layer);
     if (!own.isEmpty() && !own.contains(numbered)) return own;
-    const auto frame = session.frame<Dim>();
+    const FramePtr frame = session.frame();
     if (!frame) return {};
     const auto& handles = session.document().design().handles;
     QString nearest;
-    double reach = kNear * boundingBoxDiagonal<Dim>(frame->rest->points);
+    double reach = kNear * frame->diagonal;
     for (std::size_t i = 0; i < handles.size(); ++i) {
-        const auto starts = session.pathStarts<Dim>(static_cast<int>(i));
+        const auto starts = session.pathStarts(static_cast<int>(i));
         if (starts.empty()) continue;
-        const double far = (meanOf<Dim>(starts) - place).norm();
+        const double far = (meanOf(starts) - place).norm();
         if (far < reach) reach = far, nearest = QString::fromStdString(handles[i].name);
     }
     return nearest;
@@ -139,17 +136,6 @@ QString nothingToPaint() {
         "Stiffness ×1 is the same as everywhere and changes nothing: choose on the "
         "right how many times stiffer it should be");
 }
-
-template MaterialPaint paintOf<2>(const BrushSettings&, const Vec<2>&);
-template MaterialPaint paintOf<3>(const BrushSettings&, const Vec<3>&);
-template void pickMaterial<2>(const PosedFrame<2>&, int, Brush&);
-template void pickMaterial<3>(const PosedFrame<3>&, int, Brush&);
-template std::string layerFor<2>(const Design&, const BrushSettings&, const ChosenLayer&, const std::string&,
-                                 const std::string&);
-template std::string layerFor<3>(const Design&, const BrushSettings&, const ChosenLayer&, const std::string&,
-                                 const std::string&);
-template QString placeName<2>(const ShapeSession&, const Vec<2>&, const std::string&);
-template QString placeName<3>(const ShapeSession&, const Vec<3>&, const std::string&);
 
 std::optional<Measure> paintedMap(const Workbench& on, int) {
     return on.brush->now().target == BrushTarget::Keep ? Measure::Phi : Measure::Stiffness;

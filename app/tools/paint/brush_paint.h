@@ -3,6 +3,7 @@
 #include <QRgb>
 #include <QString>
 
+#include "app/engine/motion/edited_material.h"
 #include "app/project/edits/material_edits.h"
 #include "app/session/brush.h"
 #include "app/session/shape_session.h"
@@ -11,11 +12,11 @@
 namespace wend {
 
 /// Returns the paint of an area that is filled with the brush; `along` gives its direction.
-template <int Dim>
-MaterialPaint paintOf(const BrushSettings& brush, const Vec<Dim>& along = Vec<Dim>::Zero());
+MaterialPaint paintOf(const BrushSettings& brush, int dimension, const Vec3& along = Vec3::Zero());
+/// Returns the axis of the brush's stiffness, which has no z in pictures.
+Vec3 axisOf(const BrushSettings& brush, int dimension);
 /// Copies the material of a place to the brush.
-template <int Dim>
-void pickMaterial(const PosedFrame<Dim>& frame, int cell, Brush& brush);
+void pickMaterial(const EditedMaterial& material, int cell, Brush& brush);
 /// Returns the name of the paint: "Rigid", "Stiff", "Combed"; "Keep" if the amount is below 1.
 QString brushKind(const BrushSettings& brush, int dimension);
 /// Returns the colour of the paint.
@@ -24,12 +25,10 @@ QRgb brushColour(const BrushSettings& brush, int dimension);
 std::string brushAim(const BrushSettings& brush);
 /// Returns the layer for the paint: the selected one if it holds this kind, else the topmost that does, else
 /// a new one named after the kind.
-template <int Dim>
 std::string layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
                      const std::string& aim, const std::string& kind);
 /// Returns a name for a place at rest: that of its layer or of the nearest pin; empty far from both.
-template <int Dim>
-QString placeName(const ShapeSession& session, const Vec<Dim>& place, const std::string& layer);
+QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer);
 /// Returns the map that is shown while painting: the property that the brush changes.
 std::optional<Measure> paintedMap(const Workbench& on, int dimension);
 /// Returns whether the brush's stiffness equals that of the whole shape, and what the user can do then.

@@ -27,7 +27,7 @@ QColor DepthTool::colour() const {
 
 void DepthTool::take(const std::vector<Dab>& dabs) {
     std::vector<Ball<3>> balls;
-    for (const Dab& one : dabs) balls.push_back({inSpace(one.rest), one.radius});
+    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
     Document& document = session().document();
     document.changeDepth(order() > 0   ? QCoreApplication::translate("DepthTool", "Paint in front")
                          : order() < 0 ? QCoreApplication::translate("DepthTool", "Paint behind")
@@ -39,9 +39,10 @@ void DepthTool::paint(QPainter& painter) const {
     const auto frame = session().frame<2>();
     if (frame) {
         const auto& orders = m_orders.of(session().document().depth(), frame->rest);
-        paintDepths(painter, *frame, *orders, [this](const Vec<2>& p) { return surface().toWidget(p); });
+        paintDepths(painter, *frame, *orders,
+                    [this](const Vec<2>& p) { return view().onScreen(inSpace(p)); });
     }
-    StrokeTool<2>::paint(painter);
+    StrokeTool::paint(painter);
 }
 
 ToolKind depthTool() {

@@ -8,9 +8,9 @@ namespace wend {
 
 /// Paints the depth of a picture where it overlaps itself: a stroke sets an order, with Ctrl resets it, with
 /// Shift inverts it. Ordered parts are hatched and have a badge.
-class DepthTool : public StrokeTool<2> {
+class DepthTool : public StrokeTool {
   public:
-    using StrokeTool<2>::StrokeTool;
+    using StrokeTool::StrokeTool;
 
     void paint(QPainter& painter) const override;
 

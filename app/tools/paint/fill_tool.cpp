@@ -2,9 +2,6 @@
 
 #include <QCoreApplication>
 
-#include "app/engine/shape/erasing.h"
-#include "app/engine/shape/material_raster.h"
-#include "app/engine/shape/mesh_parts.h"
 #include "app/project/design.h"
 #include "app/session/brush.h"
 #include "app/style/mark_size.h"
@@ -13,8 +10,7 @@
 
 namespace wend {
 
-template <int Dim>
-QString FillTool<Dim>::hint() const {
+QString FillTool::hint() const {
     return m_deed == Deed::Pick
                ? QCoreApplication::translate("FillTool", "Click to pick up what is painted there")
                : QCoreApplication::translate(
@@ -22,32 +18,29 @@ QString FillTool<Dim>::hint() const {
                      "Click to fill a connected area; Shift fills everything, Ctrl erases, Alt picks up");
 }
 
-template <int Dim>
-void FillTool<Dim>::press(const QMouseEvent& event) {
-    const auto frame = surface().shownFrame();
-    const auto touch = surface().touch(event.position());
-    if (event.button() != Qt::LeftButton || !frame || !touch) return;
+std::unique_ptr<EditedMaterial> FillTool::material() const {
+    return EditedMaterial::of(view().shownFrame(), session().document().folder().toStdString());
+}
+
+void FillTool::press(const QMouseEvent& event) {
+    const auto touch = view().touch(event.position());
+    if (event.button() != Qt::LeftButton || !view().shownFrame() || !touch) return;
     if (m_deed == Deed::Pick || event.modifiers() & Qt::AltModifier)
-        pickMaterial<Dim>(*frame, touch->place.cell, m_brush);
+        pickMaterial(*material(), touch->place.cell, m_brush);
     else
         fill(touch->place.cell, event.modifiers());
-    surface().redraw();
+    view().redraw();
 }
 
 /// Fills one region that contains the centroid of every cell.
-template <int Dim>
-void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
-    const SimplicialMesh<Dim>& rest = *surface().shownFrame()->rest;
-    Document& document = session().document();
-    const std::string folder = document.folder().toStdString();
-    const Region<3> shape =
-        inSpace(modifiers & Qt::ShiftModifier ? regionOfAll(rest) : regionAround(rest, partOf(rest, cell)));
-    const std::string part = partNameOf<Dim>(rest, cell);
-    const Design& design = document.design();
+void FillTool::fill(int cell, Qt::KeyboardModifiers modifiers) try {
+    const auto material = this->material();
+    const Region<3> shape = modifiers & Qt::ShiftModifier ? material->whole() : material->around(cell);
+    const std::string part = view().shownFrame()->partOf(cell);
+    const Design& design = session().document().design();
     if (modifiers & Qt::ControlModifier) {
         const Eraser eraser{.shape = shape, .part = part};
-        show(withoutErasedLayers<Dim>(withErased<Dim>(design, std::span(&eraser, 1), rest, folder), rest,
-                                      folder),
+        show(material->withoutErasedLayers(material->erased(design, std::span(&eraser, 1))),
              QCoreApplication::translate("PaintTool", "Erase paint"));
         return;
     }
@@ -56,10 +49,10 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
         session().notify(nothingToPaint());
         return;
     }
-    const MaterialPaint paint = paintOf<Dim>(brush);
-    const QString what = brushKind(brush, Dim);
+    const MaterialPaint paint = paintOf(brush, view().dimension());
+    const QString what = brushKind(brush, view().dimension());
     const std::string aim = brushAim(brush);
-    const std::string layer = layerFor<Dim>(design, brush, m_brush.layer().now(), aim, what.toStdString());
+    const std::string layer = layerFor(design, brush, m_brush.layer().now(), aim, what.toStdString());
     MaterialRegion region{{}, shape, 0, paint.phi, paint.stiffness};
     region.part = part;
     show(withStroke(design, layer, {std::move(region)}),
@@ -69,35 +62,26 @@ void FillTool<Dim>::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     session().notify(QString::fromStdString(error.what()));
 }
 
-template <int Dim>
-void FillTool<Dim>::show(Design next, const QString& step) {
-    Document& document = session().document();
-    surface().showMaterial(
-        rasterizeMaterial<Dim>(next.material, *surface().shownFrame()->rest, document.folder().toStdString()),
-        true);
-    document.changeDesign(step, std::move(next));
+void FillTool::show(Design next, const QString& step) {
+    view().showMaterial(material()->with(next.material), true);
+    session().document().changeDesign(step, std::move(next));
 }
 
-template <int Dim>
-void FillTool<Dim>::move(const QMouseEvent& event) {
+void FillTool::move(const QMouseEvent& event) {
     m_cross.hide();
     m_at = event.position();
     m_over = true;
-    surface().redraw();
+    view().redraw();
 }
 
 /// Draws the fill's value beside the pointer.
-template <int Dim>
-void FillTool<Dim>::paint(QPainter& painter) const {
+void FillTool::paint(QPainter& painter) const {
     m_cross.paint(painter);
     if (!m_over) return;
     painter.setPen(QPen(Qt::white, marked(2)));
-    painter.setBrush(QColor(brushColour(m_brush.now(), Dim)));
+    painter.setBrush(QColor(brushColour(m_brush.now(), view().dimension())));
     painter.drawEllipse(m_at + marked(16) * QPointF(1, 1), marked(7), marked(7));
 }
-
-template class FillTool<2>;
-template class FillTool<3>;
 
 ToolKind fillTool() {
     return toolKind("fill", "fill", QT_TRANSLATE_NOOP("Tools", "&Fill"),

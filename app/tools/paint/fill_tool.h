@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/project/project_fwd.h"
+#include "app/engine/motion/edited_material.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/tool_kind.h"
 
@@ -12,19 +12,17 @@ enum class FillDeed { Fill, Pick };
 
 /// Fills the connected area under a click with the paint of the brush, with Shift the whole shape; or picks
 /// up the material.
-template <int Dim>
-class FillTool : public ShapeTool<Dim> {
+class FillTool : public ShapeTool<> {
   public:
     using Deed = FillDeed;
-    FillTool(SurfaceOf<Dim>& view, Brush& brush, Deed deed)
-        : ShapeTool<Dim>(view), m_brush(brush), m_deed(deed) {}
+    FillTool(ShapeView& view, Brush& brush, Deed deed) : ShapeTool<>(view), m_brush(brush), m_deed(deed) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::PointingHandCursor; }
     void press(const QMouseEvent& event) override;
     void move(const QMouseEvent& event) override;
     void release(const QMouseEvent&) override {}
-    bool key(const QKeyEvent& event) override { return m_cross.clicks<Dim>(event, surface(), *this); }
+    bool key(const QKeyEvent& event) override { return m_cross.clicks(event, view(), *this); }
     void cancel() override {}
     void leave() override {
         m_over = false;
@@ -33,10 +31,9 @@ class FillTool : public ShapeTool<Dim> {
     void paint(QPainter& painter) const override;
 
   private:
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
     void fill(int cell, Qt::KeyboardModifiers modifiers);
     void show(Design next, const QString& step);
+    std::unique_ptr<EditedMaterial> material() const;
 
     Brush& m_brush;
     Deed m_deed;
@@ -44,9 +41,6 @@ class FillTool : public ShapeTool<Dim> {
     bool m_over = false;
     QPointF m_at;
 };
-
-extern template class FillTool<2>;
-extern template class FillTool<3>;
 
 ToolKind fillTool();
 ToolKind eyedropperTool();

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/engine/shape/material_raster.h"
-#include "app/engine/shape/mesh_parts.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/free_name.h"
@@ -24,24 +22,6 @@ namespace {
 constexpr double kShortest = 4;     // pixels: less is a click
 constexpr double kHandleReach = 9;  // of a handle
 
-/// Maps a place of a part of the mesh, or of all if none is named, from one of its forms to another one, such
-/// as from rest to a pose; outside the part by the offset from its nearest vertex.
-template <int Dim>
-Vec<Dim> carriedTo(const Points<Dim>& to, const Points<Dim>& from, const SimplicialMesh<Dim>& mesh,
-                   const std::string& part, const Vec<Dim>& place) {
-    const auto own = std::ranges::find(mesh.parts, part, &MeshPart::name);
-    const int first = own == mesh.parts.end() ? 0 : own->firstCell,
-              end = own == mesh.parts.end() ? mesh.cellCount() : own->endCell;
-    const std::vector<Cell<Dim>> cells(mesh.cells.begin() + first, mesh.cells.begin() + end);
-    const PointLocator<Dim> locator(from, cells);
-    if (auto found = locator.find(place)) {
-        found->cell += first;
-        return positionOf<Dim>(*found, mesh, to);
-    }
-    const int nearest = locator.nearestVertex(place);
-    return nearest < 0 ? place : Vec<Dim>(to.col(nearest) + place - from.col(nearest));
-}
-
 void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radius) {
     painter.setPen(QPen(QColor(255, 255, 255, 217), marked(2)));
     painter.setBrush(colour);
@@ -50,91 +30,80 @@ void dot(QPainter& painter, const QPointF& at, const QColor& colour, double radi
 
 }  // namespace
 
-template <int Dim>
-QString GradientTool<Dim>::hint() const {
+QString GradientTool::hint() const {
     return QCoreApplication::translate("GradientTool",
                                        "Drag over the shape to blend evenly from what is there to what is "
                                        "chosen on the right; Shift snaps to 45°, Alt picks up, Esc cancels");
 }
 
 /// Returns the part of a picture that a gradient is drawn or moved on; empty: the picture is one.
-template <int Dim>
-const std::string& GradientTool<Dim>::part() const {
+const std::string& GradientTool::part() const {
     if (!m_handle) return m_part;
     return session().document().design().material.regions[m_handle->region].part;
 }
 
 /// Finds the part that a new gradient begins on. Returns false if it must begin on one and does not.
-template <int Dim>
-bool GradientTool<Dim>::findPart(const QPointF& at) {
+bool GradientTool::findPart(const QPointF& at) {
     m_part.clear();
-    if (m_handle || m_frame->rest->parts.empty()) return true;
-    const auto touch = surface().touch(at);
-    if (touch) m_part = partNameOf<Dim>(*m_frame->rest, touch->place.cell);
+    if (m_handle || m_frame->parts().empty()) return true;
+    const auto touch = view().touch(at);
+    if (touch) m_part = m_frame->partOf(touch->place.cell);
     return touch.has_value();
 }
 
 /// In a picture places are those of the part, whatever is in front of it, and beside it those of its nearest
 /// vertex; outside a solid there is none.
-template <int Dim>
-std::optional<typename GradientTool<Dim>::End> GradientTool<Dim>::endAt(const QPointF& at) const {
-    const auto touch = surface().touch(at);
-    if constexpr (Dim == 2)
-        if (!touch || partNameOf<2>(*m_frame->rest, touch->place.cell) != part()) {
-            const Vec<2> seen = surface().toShape(at);
-            return End{carriedTo<2>(m_frame->rest->points, m_frame->pose, *m_frame->rest, part(), seen),
-                       seen};
-        }
+std::optional<GradientTool::End> GradientTool::endAt(const QPointF& at) const {
+    const auto touch = view().touch(at);
+    if (view().dimension() == 2 && (!touch || m_frame->partOf(touch->place.cell) != part())) {
+        const Vec3 seen = acrossTheScreen(view(), Vec3::Zero(), at);
+        return End{m_frame->carriedToRest(seen, part()), seen};
+    }
     if (!touch) return {};
-    return End{positionOf<Dim>(touch->place, *m_frame->rest, m_frame->rest->points), touch->point};
+    return End{m_frame->restAt(touch->place), touch->point};
 }
 
-template <int Dim>
-std::vector<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handles() const {
+std::vector<GradientTool::Handle> GradientTool::handles() const {
     std::vector<Handle> found;
-    const auto frame = session().template frame<Dim>();
-    if (!frame || session().document().dimension() != Dim) return found;
+    const FramePtr frame = this->frame();
+    if (!frame) return found;
     const auto& regions = session().document().design().material.regions;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         const auto* blend = std::get_if<Blend<3>>(&regions[i].shape);
         if (!blend || isProtected(session().document().domain().parts, regions[i].part)) continue;
         for (const bool isTo : {false, true})
-            found.push_back({i, isTo,
-                             carriedTo<Dim>(frame->pose, frame->rest->points, *frame->rest, regions[i].part,
-                                            (isTo ? blend->to : blend->from).template head<Dim>())});
+            found.push_back(
+                {i, isTo, frame->carriedFromRest(isTo ? blend->to : blend->from, regions[i].part)});
     }
     return found;
 }
 
 /// Returns the topmost handle under the pointer.
-template <int Dim>
-std::optional<typename GradientTool<Dim>::Handle> GradientTool<Dim>::handleAt(const QPointF& at) const {
+std::optional<GradientTool::Handle> GradientTool::handleAt(const QPointF& at) const {
     std::optional<Handle> found;
     for (const Handle& one : handles())
-        if (QLineF(surface().toWidget(one.seen), at).length() <= marked(kHandleReach)) found = one;
+        if (QLineF(view().onScreen(one.seen), at).length() <= marked(kHandleReach)) found = one;
     return found;
 }
 
 /// The design with the end where it was dragged to; nothing where both ends would be one place.
-template <int Dim>
-std::optional<Design> GradientTool<Dim>::moved() const {
+std::optional<Design> GradientTool::moved() const {
     Design next = session().document().design();
     auto& blend = std::get<Blend<3>>(next.material.regions[m_handle->region].shape);
-    (m_handle->isTo ? blend.to : blend.from) = inSpace(m_to->rest);
+    (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
     if (blend.from == blend.to) return {};
     return next;
 }
 
-template <int Dim>
-void GradientTool<Dim>::press(const QMouseEvent& event) {
+void GradientTool::press(const QMouseEvent& event) {
     m_cross.hide();
     if (event.button() != Qt::LeftButton) return;
     m_byKeys = m_cross.isAtWork();
-    m_frame = surface().shownFrame();
+    m_frame = view().shownFrame();
     if (!m_frame) return;
     if (event.modifiers() & Qt::AltModifier) {
-        if (const auto touch = surface().touch(event.position()))
-            pickMaterial<Dim>(*m_frame, touch->place.cell, m_brush);
+        if (const auto touch = view().touch(event.position()))
+            pickMaterial(*EditedMaterial::of(m_frame, {}), touch->place.cell, m_brush);
         m_frame.reset();
         return;
     }
@@ -145,31 +114,28 @@ void GradientTool<Dim>::press(const QMouseEvent& event) {
         return;
     }
     m_from = m_to = endAt(event.position());
-    const QString kind =
-        QCoreApplication::translate("GradientTool", "To %1").arg(brushKind(m_brush.now(), Dim));
+    const QString kind = QCoreApplication::translate("GradientTool", "To %1")
+                             .arg(brushKind(m_brush.now(), view().dimension()));
     m_layer = freeName(namesOf(session().document().design().material.regions), kind.toStdString());
     if (!m_from) m_frame.reset();
 }
 
-template <int Dim>
-bool GradientTool<Dim>::isCurrent() const {
-    const auto frame = session().template frame<Dim>();
+bool GradientTool::isCurrent() const {
+    const FramePtr frame = this->frame();
     return frame && frame->shape == m_frame->shape && session().document().project() == m_project;
 }
 
 /// Returns the fixed end on the screen.
-template <int Dim>
-QPointF GradientTool<Dim>::otherEnd() const {
+QPointF GradientTool::otherEnd() const {
     if (m_handle)
         for (const Handle& one : handles())
             if (one.region == m_handle->region && one.isTo != m_handle->isTo)
-                return surface().toWidget(one.seen);
-    return surface().toWidget(m_from->seen);
+                return view().onScreen(one.seen);
+    return view().onScreen(m_from->seen);
 }
 
 /// Outside a solid the last place is kept. Mouse input cancels a gradient begun by keys.
-template <int Dim>
-void GradientTool<Dim>::move(const QMouseEvent& event) {
+void GradientTool::move(const QMouseEvent& event) {
     m_cross.hide();
     if (!m_frame) return;
     if (!isCurrent() || m_byKeys != m_cross.isAtWork()) return cancel();
@@ -180,41 +146,36 @@ void GradientTool<Dim>::move(const QMouseEvent& event) {
     preview(true);
 }
 
-template <int Dim>
-std::optional<MaterialRegion> GradientTool<Dim>::region() const {
-    const QPointF from = surface().toWidget(m_from->seen), to = surface().toWidget(m_to->seen);
+std::optional<MaterialRegion> GradientTool::region() const {
+    const QPointF from = view().onScreen(m_from->seen), to = view().onScreen(m_to->seen);
     if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
-    const MaterialPaint paint = paintOf<Dim>(m_brush.now(), m_to->rest - m_from->rest);
-    MaterialRegion region{
-        {}, Blend<3>{inSpace(m_from->rest), inSpace(m_to->rest)}, 0, paint.phi, paint.stiffness};
+    const MaterialPaint paint = paintOf(m_brush.now(), view().dimension(), m_to->rest - m_from->rest);
+    MaterialRegion region{{}, Blend<3>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
     region.part = m_part;
     return region;
 }
 
 /// Returns the design with the moved end or the new gradient; nothing for a click.
-template <int Dim>
-std::optional<Design> GradientTool<Dim>::next() const {
+std::optional<Design> GradientTool::next() const {
     if (m_handle) return moved();
     const auto drawn = region();
     if (!drawn) return {};
     return withStroke(session().document().design(), m_layer, {*drawn});
 }
 
-template <int Dim>
-bool GradientTool<Dim>::preview(bool lasts) try {
+bool GradientTool::preview(bool lasts) try {
     const auto design = next();
     const std::string folder = session().document().folder().toStdString();
-    surface().showMaterial(
-        design ? rasterizeMaterial<Dim>(design->material, *m_frame->rest, folder) : m_frame->material, lasts);
-    surface().redraw();
+    view().showMaterial(design ? EditedMaterial::of(m_frame, folder)->with(design->material) : m_frame,
+                        lasts);
+    view().redraw();
     return design.has_value();
 } catch (const InputError& error) {  // a picture of the material is missing
     session().notify(QString::fromStdString(error.what()));
     return false;
 }
 
-template <int Dim>
-void GradientTool<Dim>::release(const QMouseEvent& event) {
+void GradientTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_frame) return;
     const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
     if (isBare) session().notify(nothingToPaint());
@@ -222,7 +183,7 @@ void GradientTool<Dim>::release(const QMouseEvent& event) {
     if (isBare || !isCurrent() || !preview(true)) return cancel();
     auto design = *next();
     m_frame.reset();
-    const QString what = brushKind(m_brush.now(), Dim);
+    const QString what = brushKind(m_brush.now(), view().dimension());
     session().document().changeDesign(
         m_handle ? QCoreApplication::translate("GradientTool", "Move gradient")
                  : QCoreApplication::translate("GradientTool", "Blend to %1").arg(what),
@@ -230,26 +191,23 @@ void GradientTool<Dim>::release(const QMouseEvent& event) {
     if (!m_handle) m_brush.layer().set({m_layer});
 }
 
-template <int Dim>
-bool GradientTool<Dim>::key(const QKeyEvent& event) {
+bool GradientTool::key(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape)
-        return m_cross.clicks<Dim>(event, surface(), *this,
-                                   m_frame ? KeyCross::Enter::LetsGo : KeyCross::Enter::Presses);
+        return m_cross.clicks(event, view(), *this,
+                              m_frame ? KeyCross::Enter::LetsGo : KeyCross::Enter::Presses);
     const bool has = m_frame != nullptr;
     cancel();
     return has;
 }
 
-template <int Dim>
-void GradientTool<Dim>::cancel() {
+void GradientTool::cancel() {
     if (!m_frame) return;
     m_frame.reset();
-    surface().showMaterial(nullptr);
-    surface().redraw();
+    view().showMaterial(nullptr);
+    view().redraw();
 }
 
-template <int Dim>
-void GradientTool<Dim>::paint(QPainter& painter) const {
+void GradientTool::paint(QPainter& painter) const {
     m_cross.paint(painter);
     const auto line = [&](const QPointF& from, const QPointF& to, const QColor& colour) {
         painter.setPen(QPen(QColor(255, 255, 255, 217), marked(3.5)));
@@ -262,19 +220,17 @@ void GradientTool<Dim>::paint(QPainter& painter) const {
     const auto ends = handles();
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
         const auto& region = session().document().design().material.regions[ends[i].region];
-        const QColor colour = region.phi ? energyColour(stopOfPhi(*region.phi, Dim)) : kStiffColour;
-        std::array<QPointF, 2> at = {surface().toWidget(ends[i].seen), surface().toWidget(ends[i + 1].seen)};
+        const QColor colour =
+            region.phi ? energyColour(stopOfPhi(*region.phi, view().dimension())) : kStiffColour;
+        std::array<QPointF, 2> at = {view().onScreen(ends[i].seen), view().onScreen(ends[i + 1].seen)};
         if (m_frame && m_handle && m_handle->region == ends[i].region)
-            at[m_handle->isTo ? 1 : 0] = surface().toWidget(m_to->seen);
+            at[m_handle->isTo ? 1 : 0] = view().onScreen(m_to->seen);
         line(at[0], at[1], colour);
     }
     if (m_frame && !m_handle)
-        line(surface().toWidget(m_from->seen), surface().toWidget(m_to->seen),
-             QColor(brushColour(m_brush.now(), Dim)));
+        line(view().onScreen(m_from->seen), view().onScreen(m_to->seen),
+             QColor(brushColour(m_brush.now(), view().dimension())));
 }
-
-template class GradientTool<2>;
-template class GradientTool<3>;
 
 ToolKind gradientTool() {
     return toolKind("gradient", "gradient", QT_TRANSLATE_NOOP("Tools", "&Gradient"),

@@ -11,10 +11,9 @@ class Brush;
 
 /// Draws a gradient from the existing material at the start of a drag to the paint of the brush at its end
 /// and beyond. It is one layer and one undo step. The ends of all gradients are handles that can be dragged.
-template <int Dim>
-class GradientTool : public ShapeTool<Dim> {
+class GradientTool : public ShapeTool<> {
   public:
-    GradientTool(SurfaceOf<Dim>& view, Brush& brush) : ShapeTool<Dim>(view), m_brush(brush) {}
+    GradientTool(ShapeView& view, Brush& brush) : ShapeTool<>(view), m_brush(brush) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -27,16 +26,14 @@ class GradientTool : public ShapeTool<Dim> {
     void paint(QPainter& painter) const override;
 
   private:
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
     struct End {
-        Vec<Dim> rest, seen;
+        Vec3 rest, seen;
     };
     /// An end of a gradient that is there, in terms of the project's regions.
     struct Handle {
         std::size_t region;
         bool isTo;
-        Vec<Dim> seen;
+        Vec3 seen;
     };
     std::vector<Handle> handles() const;
     std::optional<Handle> handleAt(const QPointF& at) const;
@@ -53,15 +50,12 @@ class GradientTool : public ShapeTool<Dim> {
     Brush& m_brush;
     KeyCross m_cross;
     bool m_byKeys = false;                     // of the current drag
-    PosedPtr<Dim> m_frame;                     // when the drag began, with its material; null without a drag
+    FramePtr m_frame;                          // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;
     std::string m_layer, m_part;     // of a new gradient: its name, and the part of the picture
     std::optional<Handle> m_handle;  // that is dragged, in place of a new gradient
 };
-
-extern template class GradientTool<2>;
-extern template class GradientTool<3>;
 
 ToolKind gradientTool();
 

@@ -186,8 +186,7 @@ std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, c
     return pieces;
 }
 
-template <int Dim>
-std::vector<MaterialRegion> LayerLines<Dim>::layerOf(const Design& design) const {
+std::vector<MaterialRegion> LayerLines::layerOf(const Design& design) const {
     std::vector<MaterialRegion> layer;
     for (const auto& region : design.material.regions)
         if (region.name == m_name.toStdString()) layer.push_back(region);
@@ -199,8 +198,8 @@ void RegionLines::setRegions(std::vector<MaterialRegion> regions) {
     m_rest.reset();
 }
 
-void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
-    const auto frame = surface.shownFrame();
+void RegionLines::paint(QPainter& painter, PictureShapeView& view) {
+    const auto frame = view.session().frame<2>();
     if (m_regions.empty() || !frame) return;
     if (m_rest != frame->rest) m_lines = linesOf(m_regions, *frame->rest);
     m_rest = frame->rest;
@@ -209,7 +208,7 @@ void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
         for (const Line& line : lines)
             for (const Line& piece : carriedLine(line, *frame->rest, locator, frame->pose)) {
                 QPolygonF seen;
-                for (const Vec<2>& p : piece) seen << surface.toWidget(p);
+                for (const Vec<2>& p : piece) seen << view.toWidget(p);
                 draw(painter, seen, pen);
             }
     };
@@ -218,27 +217,22 @@ void RegionLines::paint(QPainter& painter, ToolSurface& surface) {
     drawAll(m_lines.border, QPen(QColor(kAccent), marked(2)));
 }
 
-template <>
-void LayerLines<2>::paint(QPainter& painter, ToolSurface& surface) {
-    const Document& document = surface.session().document();
+void LayerLines::paint(QPainter& painter, PictureShapeView& view) {
+    const Document& document = view.session().document();
     const auto& project = document.project();
     if (m_name.isNull() || !project) return;
     if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(document.design()));
     m_project = project, m_drawn = m_name;
-    m_lines.paint(painter, surface);
+    m_lines.paint(painter, view);
 }
 
-template <>
-void LayerLines<3>::paint(QPainter& painter, SolidSurface& surface) {
-    const Document& document = surface.session().document();
-    if (m_name.isNull() || !surface.shownFrame() || document.isEmpty()) return;
+void LayerLines::paint(QPainter& painter, SolidShapeView& view) {
+    const Document& document = view.session().document();
+    if (m_name.isNull() || !view.shownFrame() || document.isEmpty()) return;
     std::vector<Region<3>> regions;
     for (const auto& region : layerOf(document.design()))
         if (!region.erases()) regions.push_back(region.shape);
-    paintRegions(painter, surface, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
+    paintRegions(painter, view, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
 }
-
-template class LayerLines<2>;
-template class LayerLines<3>;
 
 }  // namespace wend

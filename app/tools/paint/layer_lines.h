@@ -24,7 +24,7 @@ std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, co
 class RegionLines {
   public:
     void setRegions(std::vector<MaterialRegion> regions);
-    void paint(QPainter& painter, ToolSurface& surface);
+    void paint(QPainter& painter, PictureShapeView& view);
 
   private:
     std::vector<MaterialRegion> m_regions;
@@ -33,11 +33,11 @@ class RegionLines {
 };
 
 /// Draws the layer that is chosen, where it is now.
-template <int Dim>
 class LayerLines {
   public:
     void setLayer(const QString& name) { m_name = name; }
-    void paint(QPainter& painter, SurfaceOf<Dim>& surface);
+    void paint(QPainter& painter, PictureShapeView& view);
+    void paint(QPainter& painter, SolidShapeView& view);
 
   private:
     std::vector<MaterialRegion> layerOf(const Design& design) const;

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "app/engine/motion/pose_places.h"
-#include "app/engine/shape/erasing.h"
-#include "app/engine/shape/material_raster.h"
 #include "app/project/design.h"
 #include "app/style/colours.h"
 #include "app/tools/paint/brush_paint.h"
@@ -18,37 +15,12 @@ namespace wend {
 
 namespace {
 
-constexpr double kStiffFrom = 1.01;     // less is as everywhere
-constexpr double kSameMaterial = 1e-9;  // relative to the material
+constexpr double kStiffFrom = 1.01;  // less is as everywhere
 constexpr QRgb kEraser = 0xff5c5f69;
-
-template <int Dim>
-Vec<Dim> centroidOf(const SimplicialMesh<Dim>& mesh, int cell) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (const int v : mesh.cells[cell]) sum += mesh.points.col(v) / (Dim + 1);
-    return sum;
-}
-
-template <int Dim>
-Mat<Dim> anisotropyAt(const Material<Dim>& material, int cell) {
-    return material.anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : material.anisotropy[cell];
-}
-
-/// No stiffness is stiffness ×1.
-template <int Dim>
-bool isSame(const Material<Dim>& a, const Material<Dim>& b) {
-    for (std::size_t c = 0; c < a.phi.size(); ++c) {
-        const int cell = static_cast<int>(c);
-        if (std::abs(a.phi[c] - b.phi[c]) > kSameMaterial) return false;
-        if ((anisotropyAt(a, cell) - anisotropyAt(b, cell)).norm() > kSameMaterial) return false;
-    }
-    return true;
-}
 
 }  // namespace
 
-template <int Dim>
-QString PaintTool<Dim>::strokeHint() const {
+QString PaintTool::strokeHint() const {
     if (m_deed == Deed::Erase)
         return QCoreApplication::translate(
             "PaintTool",
@@ -66,146 +38,113 @@ QString PaintTool<Dim>::strokeHint() const {
                      "line, Alt-click picks up, Esc cancels the stroke");
 }
 
-template <int Dim>
-QColor PaintTool<Dim>::colour() const {
-    return m_deed == Deed::Erase ? kEraser : brushColour(brush().now(), Dim);
+QColor PaintTool::colour() const {
+    return m_deed == Deed::Erase ? kEraser : brushColour(brush().now(), view().dimension());
 }
 
-template <int Dim>
-typename PaintTool<Dim>::Deed PaintTool<Dim>::deed() const {
-    if (m_deed == Deed::Erase || (this->modifiers() & Qt::ControlModifier)) return Deed::Erase;
-    return this->modifiers() & Qt::ShiftModifier ? Deed::Smooth : Deed::Paint;
+PaintTool::Deed PaintTool::deed() const {
+    if (m_deed == Deed::Erase || (modifiers() & Qt::ControlModifier)) return Deed::Erase;
+    return modifiers() & Qt::ShiftModifier ? Deed::Smooth : Deed::Paint;
 }
 
-template <int Dim>
-void PaintTool<Dim>::press(const QMouseEvent& event) {
+void PaintTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !(event.modifiers() & Qt::AltModifier)) {
-        StrokeTool<Dim>::press(event);
+        StrokeTool::press(event);
         return;
     }
-    const auto frame = surface().shownFrame();
-    const auto touch = surface().touch(event.position());
-    if (frame && touch) pickMaterial<Dim>(*frame, touch->place.cell, brush());
+    const FramePtr shown = view().shownFrame();
+    const auto touch = view().touch(event.position());
+    if (shown && touch) pickMaterial(*EditedMaterial::of(shown, {}), touch->place.cell, brush());
 }
 
-template <int Dim>
-void PaintTool<Dim>::begin() {
+void PaintTool::begin() {
     const auto& design = session().document().design();
-    m_frame = surface().shownFrame();
+    m_material = EditedMaterial::of(view().shownFrame(), session().document().folder().toStdString());
     m_layer = layer();
     m_regions.clear();
     m_first = deed() == Deed::Erase ? 0 : layerBegin(design, m_layer);
-    m_below.reset();
 }
 
 /// Maps directions of the view back to rest.
-template <int Dim>
-Vec<Dim> PaintTool<Dim>::axisAt(const PosedFrame<Dim>& frame, const Touch<Dim>& touch) const {
-    Vec<Dim> seen = Vec<Dim>::Zero();
-    if constexpr (Dim == 3)
-        if (brush().now().along == StiffAlong::View) seen = surface().viewDirection();
+Vec3 PaintTool::axisAt(const ShapeFrame& frame, const Touch& touch) const {
+    Vec3 seen = Vec3::Zero();
+    if (view().dimension() == 3 && brush().now().along == StiffAlong::View) seen = view().viewDirection();
     if (brush().now().along == StiffAlong::Way) seen = wayAt(touch.point);
-    return cellRotation<Dim>(frame, touch.place.cell).transpose() * seen;
+    return frame.rotationOf(touch.place.cell).transpose() * seen;
 }
 
 /// Returns the direction of the selected handle's path at its nearest point; zero without one.
-template <int Dim>
-Vec<Dim> PaintTool<Dim>::wayAt(const Vec<Dim>& p) const {
+Vec3 PaintTool::wayAt(const Vec3& p) const {
     const int selected = session().singleHandle();
-    if (selected < 0) return Vec<Dim>::Zero();
-    const auto starts = session().template pathStarts<Dim>(selected);
-    if (starts.empty()) return Vec<Dim>::Zero();
+    if (selected < 0) return Vec3::Zero();
+    const auto starts = session().pathStarts(selected);
+    if (starts.empty()) return Vec3::Zero();
     const auto& handle = session().document().design().handles[selected];
-    const auto way = pinPaths<Dim>(handle, {meanOf<Dim>(starts)}).front().points;
-    Vec<Dim> along = Vec<Dim>::Zero();
+    const auto way = pinPaths(handle, {meanOf(starts)}, view().dimension()).front().points;
+    Vec3 along = Vec3::Zero();
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < way.size(); ++i) {
-        const double d = distanceToSegment<Dim>(p, way[i - 1], way[i]);
+        const double d = distanceToSegment<3>(p, way[i - 1], way[i]);
         if (d < nearest && way[i] != way[i - 1]) nearest = d, along = (way[i] - way[i - 1]).normalized();
     }
     return along;
 }
 
 /// Returns the direction of the stroke at rest, from the ball before to the one after.
-template <int Dim>
-Vec<Dim> PaintTool<Dim>::directionOf(const std::vector<Dab>& dabs, std::size_t i) const {
+Vec3 PaintTool::directionOf(const std::vector<Dab>& dabs, std::size_t i) const {
     const StiffAlong along = brush().now().along;
-    if (along == StiffAlong::Axis) return brush().now().axis.template head<Dim>();
+    if (along == StiffAlong::Axis) return axisOf(brush().now(), view().dimension());
     if (along != StiffAlong::Stroke && along != StiffAlong::AsItIs) return dabs[i].axis;
     const std::size_t before = i > 0 ? i - 1 : 0, behind = std::min(i + 1, dabs.size() - 1);
     return dabs[behind].rest - dabs[before].rest;
 }
 
-template <int Dim>
-Mat<Dim> PaintTool<Dim>::thereAt(const Dab& dab) const {
-    return anisotropyAt(*m_frame->material, dab.place.cell);
-}
-
-template <int Dim>
-double PaintTool<Dim>::amountOf(const Dab& dab) const {
+double PaintTool::amountOf(const Dab& dab) const {
     return brush().now().amount * (brush().now().pressure ? dab.pressure : 1);
 }
 
 /// Returns the cells within the brush, at least the touched one.
-template <int Dim>
-std::vector<int> PaintTool<Dim>::cellsIn(const Dab& dab) const {
-    std::vector<int> cells;
-    for (int c = 0; c < m_frame->rest->cellCount(); ++c)
-        if ((centroidOf(*m_frame->rest, c) - dab.rest).norm() <= dab.radius) cells.push_back(c);
-    if (cells.empty()) cells.push_back(dab.place.cell);
-    return cells;
+std::vector<int> PaintTool::cellsIn(const Dab& dab) const {
+    const std::vector<int> cells = m_material->cellsIn({dab.rest, dab.radius});
+    return cells.empty() ? std::vector{dab.place.cell} : cells;
 }
 
 /// Blends the existing and the painted φ linearly on the slider.
-template <int Dim>
-double PaintTool<Dim>::phiFor(const Dab& dab) const {
+double PaintTool::phiFor(const Dab& dab) const {
     const BrushSettings& now = brush().now();
-    const auto stopAt = [this](int cell) { return stopOfPhi(m_frame->material->phi[cell], Dim); };
+    const auto stopAt = [this](int cell) { return stopOfPhi(m_material->phiOf(cell), view().dimension()); };
     double phi = now.phi;
     if (deed() == Deed::Smooth) {
         const auto cells = cellsIn(dab);
         double sum = 0;
         for (const int c : cells) sum += stopAt(c);
-        phi = phiAtStop(sum / static_cast<double>(cells.size()), Dim);
+        phi = phiAtStop(sum / static_cast<double>(cells.size()), view().dimension());
     }
     const double amount = amountOf(dab);
     if (amount == 1) return phi;
     const double there = stopAt(dab.place.cell);
-    return phiAtStop(there + amount * (stopOfPhi(phi, Dim) - there), Dim);
+    return phiAtStop(there + amount * (stopOfPhi(phi, view().dimension()) - there), view().dimension());
 }
 
-template <int Dim>
-Stiffness PaintTool<Dim>::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const {
+Stiffness PaintTool::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) const {
     const BrushSettings& now = brush().now();
-    const Mat<Dim> B = thereAt(dabs[i]);
-    const Stiffness there = stiffnessOf<Dim>(B);
-    const bool isStiff = there.ratio > kStiffFrom;
+    const int cell = dabs[i].place.cell;
     const double amount = amountOf(dabs[i]);
-    Mat<Dim> aim = Mat<Dim>::Identity();
-    if (deed() == Deed::Smooth) {
-        const auto cells = cellsIn(dabs[i]);
-        aim.setZero();
-        for (const int c : cells)
-            aim += anisotropyAt(*m_frame->material, c) / static_cast<double>(cells.size());
-    }
-    if (deed() == Deed::Paint) {
-        Stiffness own{inSpace(directionOf(dabs, i)), now.ratio};
-        if (own.axis.isZero()) own.axis = inSpace(Vec<Dim>(now.axis.template head<Dim>()));
-        if (own.axis.isZero()) own.axis = Vec3::UnitX();
-        if (now.target == BrushTarget::Direction) own.ratio = std::max(own.ratio, there.ratio);
-        if (now.target == BrushTarget::Stiffness && now.along == StiffAlong::AsItIs && isStiff)
-            own.axis = there.axis;
-        own.axis.normalize();
-        if (amount == 1) return own;
-        aim = anisotropyOf<Dim>(own);
-    }
-    return stiffnessOf<Dim>((1 - amount) * B + amount * aim);
+    if (deed() == Deed::Smooth) return m_material->smoothed(cell, amount, cellsIn(dabs[i]));
+    const Stiffness there = m_material->stiffnessOf(cell).value_or(Stiffness{Vec3::UnitX(), 1});
+    Stiffness own{directionOf(dabs, i), now.ratio};
+    if (own.axis.isZero()) own.axis = axisOf(now, view().dimension());
+    if (own.axis.isZero()) own.axis = Vec3::UnitX();
+    if (now.target == BrushTarget::Direction) own.ratio = std::max(own.ratio, there.ratio);
+    if (now.target == BrushTarget::Stiffness && now.along == StiffAlong::AsItIs && there.ratio > kStiffFrom)
+        own.axis = there.axis;
+    own.axis.normalize();
+    return amount == 1 ? own : m_material->blended(cell, amount, own);
 }
 
-template <int Dim>
-MaterialRegion PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
-    MaterialRegion region{{}, inSpace(Region<Dim>(this->ballOf(dabs[i]))), this->featherOf(dabs[i]), {}, {}};
-    region.part = this->partOf(dabs[i]);
+MaterialRegion PaintTool::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
+    MaterialRegion region{{}, ballOf(dabs[i]), featherOf(dabs[i]), {}, {}};
+    region.part = partOf(dabs[i]);
     if (brush().now().target == BrushTarget::Keep)
         region.phi = phiFor(dabs[i]);
     else
@@ -214,15 +153,13 @@ MaterialRegion PaintTool<Dim>::regionOf(const std::vector<Dab>& dabs, std::size_
 }
 
 /// A ball's direction is known once the next one exists, so the last one is recomputed each time.
-template <int Dim>
-Design PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
+Design PaintTool::painted(const std::vector<Dab>& dabs) {
     const auto& design = session().document().design();
     if (deed() == Deed::Erase) {
         std::vector<Eraser> erasers;
         for (const Dab& dab : dabs)
-            erasers.push_back({inSpace(Region<Dim>(this->ballOf(dab))), this->featherOf(dab), amountOf(dab),
-                               dab.place.cell, this->partOf(dab)});
-        return withErased<Dim>(design, erasers, *m_frame->rest, folder());
+            erasers.push_back({ballOf(dab), featherOf(dab), amountOf(dab), dab.place.cell, partOf(dab)});
+        return m_material->erased(design, erasers);
     }
     while (m_regions.size() + 1 < dabs.size()) m_regions.push_back(regionOf(dabs, m_regions.size()));
     auto regions = m_regions;
@@ -232,46 +169,32 @@ Design PaintTool<Dim>::painted(const std::vector<Dab>& dabs) {
 
 /// Recomputes only the cells that the stroke may change. Returns null and emits a notice if a picture of the
 /// material is missing.
-template <int Dim>
-std::shared_ptr<const Material<Dim>> PaintTool<Dim>::laid(const Design& next) try {
-    const SimplicialMesh<Dim>& rest = *m_frame->rest;
-    if (!m_below) {
-        MaterialSpec below = session().document().design().material;
-        below.regions.resize(m_first);
-        m_below = rasterizeMaterial<Dim>(below, rest, folder());
-    }
-    auto material = std::make_shared<Material<Dim>>(*m_below);
-    layRegions<Dim>(std::span(next.material.regions).subspan(m_first), rest, folder(), *material);
-    return material;
+FramePtr PaintTool::laid(const Design& next) try {
+    return m_material->with(next.material, m_first);
 } catch (const InputError& error) {
     session().notify(QString::fromStdString(error.what()));
     return nullptr;
 }
 
-template <int Dim>
-void PaintTool<Dim>::follow(const std::vector<Dab>& dabs) {
-    surface().showMaterial(laid(painted(dabs)));
+void PaintTool::follow(const std::vector<Dab>& dabs) {
+    view().showMaterial(laid(painted(dabs)));
 }
 
-template <int Dim>
-std::string PaintTool<Dim>::aim() const {
+std::string PaintTool::aim() const {
     return deed() == Deed::Smooth ? "smooth" : brushAim(brush().now());
 }
 
-template <int Dim>
-std::string PaintTool<Dim>::layer() const {
+std::string PaintTool::layer() const {
     const QString kind = deed() == Deed::Smooth ? QCoreApplication::translate("PaintTool", "Smoothed")
-                                                : brushKind(brush().now(), Dim);
-    return layerFor<Dim>(session().document().design(), brush().now(), brush().layer().now(), aim(),
-                         kind.toStdString());
+                                                : brushKind(brush().now(), view().dimension());
+    return layerFor(session().document().design(), brush().now(), brush().layer().now(), aim(),
+                    kind.toStdString());
 }
 
 /// Names the step, with its place if that has a name: "Paint Rigid on Neck".
-template <int Dim>
-QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
+QString PaintTool::title(const std::vector<Dab>& dabs) const {
     const bool erases = deed() == Deed::Erase;
-    const QString where =
-        placeName<Dim>(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer);
+    const QString where = placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer);
     const auto with = [&](const char* somewhere, const char* bare) {
         return where.isEmpty() ? QCoreApplication::translate("PaintTool", bare)
                                : QCoreApplication::translate("PaintTool", somewhere).arg(where);
@@ -283,26 +206,25 @@ QString PaintTool<Dim>::title(const std::vector<Dab>& dabs) const {
         return with(QT_TRANSLATE_NOOP("PaintTool", "Smooth %1"), QT_TRANSLATE_NOOP("PaintTool", "Smooth"));
     if (brush().now().target == BrushTarget::Direction)
         return with(QT_TRANSLATE_NOOP("PaintTool", "Comb %1"), QT_TRANSLATE_NOOP("PaintTool", "Comb"));
-    const QString what = brushKind(brush().now(), Dim);
+    const QString what = brushKind(brush().now(), view().dimension());
     return where.isEmpty() ? QCoreApplication::translate("PaintTool", "Paint %1").arg(what)
                            : QCoreApplication::translate("PaintTool", "Paint %1 on %2").arg(what, where);
 }
 
 /// Emits a notice instead of adding a step without effect.
-template <int Dim>
-void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
+void PaintTool::take(const std::vector<Dab>& dabs) {
     const bool erases = deed() == Deed::Erase, paints = deed() == Deed::Paint;
     Design next = painted(dabs);
-    if (erases) next = withoutErasedLayers<Dim>(next, *m_frame->rest, folder());
-    const auto material = laid(next);
-    const bool same = material && isSame(*material, *m_frame->material);
+    if (erases) next = m_material->withoutErasedLayers(next);
+    const FramePtr shown = laid(next);
+    const bool same = shown && m_material->equals(*shown);
     if (same && erases)
         session().notify(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
     const bool isBare = same && paints && paintsNothing(brush().now());
     if (isBare) session().notify(nothingToPaint());
-    const bool changes = material && !isBare && !(same && erases);
-    surface().showMaterial(changes ? material : nullptr, changes);
-    m_frame.reset();
+    const bool changes = shown && !isBare && !(same && erases);
+    view().showMaterial(changes ? shown : nullptr, changes);
+    m_material.reset();
     if (!changes) return;
     const bool lost = paints && brush().now().target != BrushTarget::Keep &&
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
@@ -312,9 +234,6 @@ void PaintTool<Dim>::take(const std::vector<Dab>& dabs) {
     session().document().changeDesign(title(dabs), std::move(next));
     if (!erases) brush().layer().set({m_layer, aim()});
 }
-
-template class PaintTool<2>;
-template class PaintTool<3>;
 
 ToolKind paintTool() {
     return toolKind("paint", "brush", QT_TRANSLATE_NOOP("Tools", "&Paint"),

@@ -25,22 +25,22 @@ double markLength(double ratio) {
                   (kLongAxis - kShortAxis) * std::clamp(std::log(ratio) / std::log(kLongAt), 0.0, 1.0));
 }
 
-void paintStiffnessMarks(QPainter& painter, ToolSurface& surface, const QSize& size) {
-    const auto frame = surface.shownFrame();
+void paintStiffnessMarks(QPainter& painter, PictureShapeView& view, const QSize& size) {
+    const auto frame = posed<2>(view.shownFrame());
     if (!frame || frame->material->anisotropy.empty()) return;
     QColor fill(kStiffColour);
     fill.setAlphaF(0.25F);
     const double grid = marked(kMarkGrid);
     for (double y = grid / 2; y < size.height(); y += grid)
         for (double x = grid / 2; x < size.width(); x += grid) {
-            const auto touch = surface.touch(QPointF(x, y));
+            const auto touch = view.touch(QPointF(x, y));
             if (!touch) continue;
             const int cell = touch->place.cell;
             const Stiffness stiffness = stiffnessOf<2>(frame->material->anisotropy[cell]);
             if (stiffness.ratio < kLeastStiffness) continue;
-            const Vec<2> along = cellRotation<2>(*frame, cell) * inPlane(stiffness.axis);
+            const Vec3 along = frame->rotationOf(cell) * stiffness.axis;
             // The view may show the domain mirrored.
-            const QPointF way = surface.toWidget(touch->point + along) - surface.toWidget(touch->point);
+            const QPointF way = view.onScreen(touch->point + along) - view.onScreen(touch->point);
             const double a = markLength(stiffness.ratio),
                          b = std::max(marked(2.5), a / std::sqrt(stiffness.ratio));
             painter.save();

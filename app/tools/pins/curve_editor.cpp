@@ -30,53 +30,47 @@ QString curveHint(bool onPoint) {
                : QCoreApplication::translate("CurveEditor", "Double-click to insert a point into the curve");
 }
 
-template <int Dim>
-int CurveEditor<Dim>::handle() const {
-    const int handle = m_session.document().dimension() == Dim ? m_session.singleHandle() : -1;
+int CurveEditor::handle() const {
+    const int handle = m_session.document().dimension() == m_view.dimension() ? m_session.singleHandle() : -1;
     return handle >= 0 && m_session.isLocked(handle) ? -1 : handle;
 }
 
-template <int Dim>
-std::optional<CurveMotion<3>> CurveEditor<Dim>::curve() const {
-    if (handle() < 0 || !m_session.template frame<Dim>()) return {};
+std::optional<CurveMotion<3>> CurveEditor::curve() const {
+    if (handle() < 0 || !m_session.frame()) return {};
     const CurveMotion<3>* last = lastCurve(m_session.document().design(), handle());
     return last ? std::optional(*last) : std::nullopt;
 }
 
-template <int Dim>
-typename CurveEditor<Dim>::Chosen CurveEditor<Dim>::identity() const {
+CurveEditor::Chosen CurveEditor::identity() const {
     const auto own = curve();
     if (!own) return {};
     return {handle(), static_cast<int>(own->points.size()), own->points.front()};
 }
 
-template <int Dim>
-void CurveEditor<Dim>::forgetOthers() const {
+void CurveEditor::forgetOthers() const {
     if (identity() == m_of) return;
     m_of = identity();
     m_chosen = -1;
     m_free.clear();
 }
 
-template <int Dim>
-int CurveEditor<Dim>::chosen() const {
+int CurveEditor::chosen() const {
     forgetOthers();
     return m_chosen;
 }
 
 /// Returns the offset from the stored curve to the handle's actual place at its start.
-template <int Dim>
-Vec3 CurveEditor<Dim>::shift() const {
+Vec3 CurveEditor::shift() const {
     Pin before = m_session.document().design().handles[handle()];
     const auto curve = std::get<CurveMotion<3>>(before.motions.back().kind);
     before.motions.pop_back();
     const auto starts = m_session.pathStarts(handle());
     if (starts.empty()) return Vec3::Zero();
-    return pinPaths<3>(before, {meanOf<3>(starts)}).front().points.back() - curve.points.front();
+    return pinPaths(before, {meanOf(starts)}, m_view.dimension()).front().points.back() -
+           curve.points.front();
 }
 
-template <int Dim>
-std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<3>& curve) const {
+std::vector<JointKind> CurveEditor::kinds(const CurveMotion<3>& curve) const {
     if (curve.interpolation != Interpolation::Bezier) return {};
     forgetOthers();
     auto kinds = jointKinds(curve.points);
@@ -87,8 +81,7 @@ std::vector<JointKind> CurveEditor<Dim>::kinds(const CurveMotion<3>& curve) cons
 }
 
 /// Returns the control points, including the dragged one.
-template <int Dim>
-std::vector<Vec3> CurveEditor<Dim>::moved(const CurveMotion<3>& curve) const {
+std::vector<Vec3> CurveEditor::moved(const CurveMotion<3>& curve) const {
     std::vector<Vec3> points = curve.points;
     if (!isDragging() || m_dragged >= static_cast<int>(points.size())) return points;
     if (curve.interpolation == Interpolation::Bezier)
@@ -97,8 +90,7 @@ std::vector<Vec3> CurveEditor<Dim>::moved(const CurveMotion<3>& curve) const {
     return points;
 }
 
-template <int Dim>
-std::vector<Vec3> CurveEditor<Dim>::points() const {
+std::vector<Vec3> CurveEditor::points() const {
     const auto own = curve();
     if (!own) return {};
     std::vector<Vec3> points = moved(*own);
@@ -107,29 +99,27 @@ std::vector<Vec3> CurveEditor<Dim>::points() const {
     return points;
 }
 
-template <int Dim>
-int CurveEditor<Dim>::pointAt(const QPointF& widget) const {
+int CurveEditor::pointAt(const QPointF& widget) const {
     const auto all = points();
     int best = -1;
     double nearest = marked(kCurvePointReach);
     for (int i = 1; i < static_cast<int>(all.size()); ++i) {
-        const double d = QLineF(m_surface.onScreen(all[i]), widget).length();
+        const double d = QLineF(m_view.onScreen(all[i]), widget).length();
         if (d < nearest) nearest = d, best = i;
     }
     return best;
 }
 
-template <int Dim>
-typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget) const {
+CurveEditor::Place CurveEditor::placeAt(const QPointF& widget) const {
     Place best{-1, 0, marked(kLineReach)};
     const auto own = curve();
     if (!own) return best;
     const Vec3 by = shift();
     const auto pieces = curveOf(*own).pieces;
     for (int k = 0; k < static_cast<int>(pieces.size()); ++k) {
-        QPointF before = m_surface.onScreen(pieces[k].value(0) + by);
+        QPointF before = m_view.onScreen(pieces[k].value(0) + by);
         for (int i = 1; i <= kSearchSamples; ++i) {
-            const QPointF after = m_surface.onScreen(pieces[k].value(double(i) / kSearchSamples) + by);
+            const QPointF after = m_view.onScreen(pieces[k].value(double(i) / kSearchSamples) + by);
             const QPointF along = after - before;
             const double size = QPointF::dotProduct(along, along);
             const double t =
@@ -143,44 +133,39 @@ typename CurveEditor<Dim>::Place CurveEditor<Dim>::placeAt(const QPointF& widget
     return best;
 }
 
-template <int Dim>
-void CurveEditor<Dim>::choose(int point) {
+void CurveEditor::choose(int point) {
     forgetOthers();
     m_chosen = point;
     m_place.reset();  // of a menu that was opened for something else
 }
 
-template <int Dim>
-void CurveEditor<Dim>::begin(int point, const QPointF& widget) {
+void CurveEditor::begin(int point, const QPointF& widget) {
     choose(point);
     m_dragged = point;
     m_draggedOf = m_session.document().project();
     m_freely = false;
     m_from = widget;
     m_by.setZero();
-    m_surface.redraw();
+    m_view.redraw();
 }
 
-template <int Dim>
-void CurveEditor<Dim>::drag(const QPointF& widget, bool freely) {
+void CurveEditor::drag(const QPointF& widget, bool freely) {
     const auto own = curve();
     if (!own || !isDragging() || m_dragged >= static_cast<int>(own->points.size())) return;
     m_freely = freely;
     const Vec3 p = own->points[m_dragged] + shift();
-    m_by = acrossTheScreen(m_surface, p, widget) - acrossTheScreen(m_surface, p, m_from);
-    m_surface.redraw();
+    m_by = acrossTheScreen(m_view, p, widget) - acrossTheScreen(m_view, p, m_from);
+    m_view.redraw();
 }
 
-template <int Dim>
-void CurveEditor<Dim>::change(const QString& name, CurveMotion<3> next) {
+void CurveEditor::change(const QString& name, CurveMotion<3> next) {
     Design design = m_session.document().design();
     *lastCurve(design, handle()) = std::move(next);
     m_session.document().changeDesign(name, std::move(design));
-    m_surface.redraw();
+    m_view.redraw();
 }
 
-template <int Dim>
-void CurveEditor<Dim>::finish() {
+void CurveEditor::finish() {
     auto own = curve();
     if (own && isDragging() && !m_by.isZero()) {
         own->points = moved(*own);
@@ -190,16 +175,14 @@ void CurveEditor<Dim>::finish() {
     cancel();
 }
 
-template <int Dim>
-void CurveEditor<Dim>::cancel() {
+void CurveEditor::cancel() {
     m_dragged = -1;
     m_draggedOf.reset();
     m_freely = false;
     m_by.setZero();
 }
 
-template <int Dim>
-void CurveEditor<Dim>::insertOn(const Place& place) {
+void CurveEditor::insertOn(const Place& place) {
     const auto own = curve();
     if (!own || place.piece < 0 || place.piece >= static_cast<int>(curveOf(*own).pieces.size())) return;
     const bool bezier = own->interpolation == Interpolation::Bezier;
@@ -207,24 +190,22 @@ void CurveEditor<Dim>::insertOn(const Place& place) {
            withPointOn(*own, place.piece, place.v));
     forgetOthers();
     m_chosen = bezier ? 3 * place.piece + 3 : place.piece + 1;
-    m_surface.redraw();
+    m_view.redraw();
 }
 
-template <int Dim>
-bool CurveEditor<Dim>::insertAt(const QPointF& widget) {
+bool CurveEditor::insertAt(const QPointF& widget) {
     const Place place = placeAt(widget);
     if (place.piece < 0) return false;
     insertOn(place);
     return true;
 }
 
-template <int Dim>
-bool CurveEditor<Dim>::pointAtForMenu(const QPointF& widget) {
+bool CurveEditor::pointAtForMenu(const QPointF& widget) {
     m_place.reset();
     if (const int point = pointAt(widget); point > 0) {
         forgetOthers();
         m_chosen = point;
-        m_surface.redraw();
+        m_view.redraw();
         return true;
     }
     const Place place = placeAt(widget);
@@ -232,8 +213,7 @@ bool CurveEditor<Dim>::pointAtForMenu(const QPointF& widget) {
     return place.piece >= 0;
 }
 
-template <int Dim>
-std::optional<JointKind> CurveEditor<Dim>::chosenKind() const {
+std::optional<JointKind> CurveEditor::chosenKind() const {
     const auto own = curve();
     if (!own || own->interpolation != Interpolation::Bezier || chosen() < 0) return {};
     const int joint = jointOf(chosen());
@@ -241,22 +221,19 @@ std::optional<JointKind> CurveEditor<Dim>::chosenKind() const {
     return kinds(*own)[joint];
 }
 
-template <int Dim>
-bool CurveEditor<Dim>::canRemove() const {
+bool CurveEditor::canRemove() const {
     const auto own = curve();
     return own && chosen() > 0 && withoutPoint(*own, chosen());
 }
 
-template <int Dim>
-void CurveEditor<Dim>::insertPoint() {
+void CurveEditor::insertPoint() {
     const auto own = curve();
     if (!own) return;
     const Place behind{pieceBehind(*own, chosen()), 0.5, 0};
     insertOn(std::exchange(m_place, std::nullopt).value_or(behind));
 }
 
-template <int Dim>
-void CurveEditor<Dim>::removePoint() {
+void CurveEditor::removePoint() {
     const auto own = curve();
     const auto next = own && chosen() > 0 ? withoutPoint(*own, chosen()) : std::nullopt;
     if (next)
@@ -265,15 +242,14 @@ void CurveEditor<Dim>::removePoint() {
         m_session.notify(QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
 }
 
-template <int Dim>
-void CurveEditor<Dim>::setKind(JointKind kind) {
+void CurveEditor::setKind(JointKind kind) {
     auto own = curve();
     if (!own || !chosenKind()) return;
     const int joint = jointOf(chosen());
     std::erase(m_free, joint);
     if (kind == JointKind::Free) {
         m_free.push_back(joint);  // nothing moves: it is for the next drag
-        m_surface.redraw();
+        m_view.redraw();
         return;
     }
     auto points = withJointKind(own->points, joint, kind);
@@ -283,27 +259,25 @@ void CurveEditor<Dim>::setKind(JointKind kind) {
 }
 
 /// Draws the resulting curve while a point is dragged.
-template <int Dim>
-void CurveEditor<Dim>::paintMoved(QPainter& painter) const {
+void CurveEditor::paintMoved(QPainter& painter) const {
     auto own = curve();
     own->points = moved(*own);
     const Vec3 by = shift();
     QPolygonF line;
     for (const auto& piece : curveOf(*own).pieces)
         for (int i = 0; i <= kSearchSamples; ++i)
-            line << m_surface.onScreen(piece.value(double(i) / kSearchSamples) + by);
+            line << m_view.onScreen(piece.value(double(i) / kSearchSamples) + by);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kCurveColour, marked(1.75)));
     painter.drawPolyline(line);
 }
 
-template <int Dim>
-void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
+void CurveEditor::paint(QPainter& painter, const QPointF& pointer) const {
     const auto all = points();
     if (all.empty()) return;
     if (isDragging()) paintMoved(painter);
     QPolygonF screen;
-    for (const Vec3& p : all) screen << m_surface.onScreen(p);
+    for (const Vec3& p : all) screen << m_view.onScreen(p);
     const bool bezier = curve()->interpolation == Interpolation::Bezier;
     painter.setPen(QPen(kCurveColour, marked(1.25)));
     for (int i = 0; bezier && i + 3 < screen.size(); i += 3) {  // from the joints to their directions
@@ -321,8 +295,5 @@ void CurveEditor<Dim>::paint(QPainter& painter, const QPointF& pointer) const {
             painter.drawEllipse(screen[i], r, r);
     }
 }
-
-template class CurveEditor<2>;
-template class CurveEditor<3>;
 
 }  // namespace wend

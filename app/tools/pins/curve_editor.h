@@ -13,10 +13,9 @@ QString curveHint(bool onPoint);
 
 /// The points of the curve that the one selected handle follows last: shown, chosen, dragged, added and
 /// removed. One undo step per gesture.
-template <int Dim>
 class CurveEditor : public CurveEditing {
   public:
-    explicit CurveEditor(SurfaceOf<Dim>& surface) : m_surface(surface), m_session(surface.session()) {}
+    explicit CurveEditor(ShapeView& view) : m_view(view), m_session(view.session()) {}
 
     /// Returns the point within reach, or −1. The first point is fixed, because the handle is there when the
     /// motion begins.
@@ -66,7 +65,7 @@ class CurveEditor : public CurveEditing {
     void insertOn(const Place& place);
     void paintMoved(QPainter& painter) const;
 
-    SurfaceOf<Dim>& m_surface;
+    ShapeView& m_view;
     ShapeSession& m_session;
     int m_dragged = -1;
     bool m_freely = false;

@@ -9,10 +9,66 @@ namespace {
 
 constexpr std::size_t kMostLooked = 4000;
 
+class PictureGrabTool : public GrabTool {
+  public:
+    template <class... Parts>
+    explicit PictureGrabTool(PictureShapeView& view, Parts&&... parts)
+        : GrabTool(view, std::forward<Parts>(parts)...), m_view(view) {}
+
+  protected:
+    bool take(Qt::KeyboardModifiers with) override {
+        const QPainterPath part = drawnPart(m_view, outline());
+        return !changePart(m_view, part, with) && holdPart(m_view, part);
+    }
+
+  private:
+    PictureShapeView& m_view;
+};
+
+class SolidGrabTool : public GrabTool {
+  public:
+    template <class... Parts>
+    explicit SolidGrabTool(SolidShapeView& view, Parts&&... parts)
+        : GrabTool(view, std::forward<Parts>(parts)...), m_view(view) {}
+
+  protected:
+    bool take(Qt::KeyboardModifiers with) override {
+        const std::vector<int> part = drawnPart(m_view, outline(), takesHidden());
+        return !changePart(m_view, part, with) && holdPart(m_view, part);
+    }
+    void takeClicked(Qt::KeyboardModifiers with) override {
+        const int vertex = m_view.pick(pointer()).vertex;
+        if (vertex >= 0) changePart(m_view, {vertex}, with);
+    }
+    /// Finds nothing if testing visibility would delay the pointer.
+    void follow() override {
+        if (outline().kind() == DrawnOutline::Kind::Brush) {
+            const auto isNew = [this](const QPointF& p) { return outline().isNewlyBrushed(p); };
+            m_caught = joined(m_caught, m_view.verticesWhere(isNew, !takesHidden()));
+        } else if (const auto all = drawnPart(m_view, outline(), true); all.size() <= kMostLooked) {
+            m_caught = takesHidden() ? all : drawnPart(m_view, outline(), false);
+        } else {
+            m_caught.clear();
+        }
+    }
+    void drop() override { m_caught.clear(); }
+    void paintCaught(QPainter& painter) const override {
+        if (!m_caught.empty()) wend::paintCaught(painter, m_view, m_caught, pointer());
+    }
+
+  private:
+    SolidShapeView& m_view;
+    std::vector<int> m_caught;  // so far
+};
+
+ToolMakers grabBy(DrawnOutline::Kind kind) {
+    return {maker<PictureGrabTool>(&Workbench::picture, kind, &Workbench::pins, &Workbench::toSelect),
+            maker<SolidGrabTool>(&Workbench::solid, kind, &Workbench::pins, &Workbench::toSelect)};
+}
+
 }  // namespace
 
-template <int Dim>
-QString GrabTool<Dim>::hint() const {
+QString GrabTool::hint() const {
     if (m_outline.kind() == DrawnOutline::Kind::Lasso)
         return QCoreApplication::translate(
             "GrabTool", "Draw around the part to hold; Shift adds to the selected part, Ctrl takes away");
@@ -24,120 +80,86 @@ QString GrabTool<Dim>::hint() const {
         "Draw a rectangle over the part to hold; Shift adds to the selected part, Ctrl takes away");
 }
 
-template <int Dim>
-void GrabTool<Dim>::press(const QMouseEvent& event) {
+void GrabTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     m_at = event.position();
     m_outline.begin(m_at);
-    m_caught.clear();
+    drop();
     m_active = m_over = true;
     follow();
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void GrabTool<Dim>::move(const QMouseEvent& event) {
+void GrabTool::move(const QMouseEvent& event) {
     m_at = event.position();
     m_over = true;
     if (m_active) {
         m_outline.goOn(m_at);
         follow();
     }
-    surface().redraw();
+    view().redraw();
 }
 
-/// Updates what would be held of a solid; nothing if testing visibility would delay the pointer.
-template <int Dim>
-void GrabTool<Dim>::follow() {
-    if constexpr (Dim == 3) {
-        if (m_outline.kind() == DrawnOutline::Kind::Brush) {
-            const auto isNew = [this](const QPointF& p) { return m_outline.isNewlyBrushed(p); };
-            m_caught = joined(m_caught, surface().verticesWhere(isNew, !takesHidden()));
-        } else if (const auto all = drawnPart<3>(surface(), m_outline, true); all.size() <= kMostLooked) {
-            m_caught = takesHidden() ? all : drawnPart<3>(surface(), m_outline, false);
-        } else {
-            m_caught.clear();
-        }
-    }
-}
-
-template <int Dim>
-void GrabTool<Dim>::release(const QMouseEvent& event) {
+void GrabTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !std::exchange(m_active, false)) return;
     m_at = event.position();
     m_over = true;
     m_outline.goOn(m_at);
-    if (session().template frame<Dim>() && session().document().dimension() == Dim) take(event.modifiers());
-    m_caught.clear();
-    surface().redraw();
+    if (frame()) finish(event.modifiers());
+    drop();
+    view().redraw();
 }
 
-template <int Dim>
-void GrabTool<Dim>::take(Qt::KeyboardModifiers with) {
-    if (m_outline.isClick()) {
-        const bool changes = with & (Qt::ShiftModifier | Qt::ControlModifier);
-        if (!changes) session().selection().clear();
-        if constexpr (Dim == 3)
-            if (const int vertex = surface().pick(m_at).vertex; changes && vertex >= 0)
-                changePart<3>(surface(), {vertex}, with);
-        return;
+void GrabTool::finish(Qt::KeyboardModifiers with) {
+    if (!m_outline.isClick()) {
+        if (take(with)) m_done();
+    } else if (with & (Qt::ShiftModifier | Qt::ControlModifier)) {
+        takeClicked(with);
+    } else {
+        session().selection().clear();
     }
-    const auto part = drawnPart<Dim>(surface(), m_outline, takesHidden());
-    if (!changePart<Dim>(surface(), part, with) && holdPart<Dim>(surface(), part)) m_done();
 }
 
-template <int Dim>
-bool GrabTool<Dim>::key(const QKeyEvent& event) {
+bool GrabTool::key(const QKeyEvent& event) {
     const bool escapes = event.key() == Qt::Key_Escape;
     if (escapes && !m_active) session().selection().clear();
     if (escapes) cancel();
     const auto radius = m_outline.radiusAfter(event);
     if (radius) m_choice.change(&PinSettings::radius, *radius);
     if (!escapes && !radius) return false;
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-void GrabTool<Dim>::cancel() {
+void GrabTool::cancel() {
     m_active = false;
-    m_caught.clear();
+    drop();
 }
 
-template <int Dim>
-void GrabTool<Dim>::paint(QPainter& painter) const {
+void GrabTool::paint(QPainter& painter) const {
     if (m_active)
         m_outline.paint(painter);
     else if (m_over && m_outline.kind() == DrawnOutline::Kind::Brush)
         m_outline.paintBrush(painter, m_at);
-    if constexpr (Dim == 3)
-        if (m_active && !m_caught.empty()) paintCaught(painter, surface(), m_caught, m_at);
+    if (m_active) paintCaught(painter);
 }
-
-template class GrabTool<2>;
-template class GrabTool<3>;
 
 ToolKind grabByLassoTool() {
     return toolKind("lasso", "area-lasso", QT_TRANSLATE_NOOP("Tools", "Grab by &Lasso"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a drawn outline as one handle"),
-                    "L", Mode::Pins,
-                    both<GrabTool>(DrawnOutline::Kind::Lasso, &Workbench::pins, &Workbench::toSelect),
-                    {ToolOption::Through});
+                    "L", Mode::Pins, grabBy(DrawnOutline::Kind::Lasso), {ToolOption::Through});
 }
 
 ToolKind grabByBoxTool() {
     return toolKind("rectangle", "area-rectangle", QT_TRANSLATE_NOOP("Tools", "Grab by Bo&x"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of all that lies in a rectangle as one handle"),
-                    "Shift+B", Mode::Pins,
-                    both<GrabTool>(DrawnOutline::Kind::Rectangle, &Workbench::pins, &Workbench::toSelect),
-                    {ToolOption::Through});
+                    "Shift+B", Mode::Pins, grabBy(DrawnOutline::Kind::Rectangle), {ToolOption::Through});
 }
 
 ToolKind grabByBrushTool() {
     return toolKind("grabBrush", "area-brush", QT_TRANSLATE_NOOP("Tools", "Grab by &Brush"),
                     QT_TRANSLATE_NOOP("Tools", "Take hold of what is brushed over as one handle"), "U",
-                    Mode::Pins,
-                    both<GrabTool>(DrawnOutline::Kind::Brush, &Workbench::pins, &Workbench::toSelect),
+                    Mode::Pins, grabBy(DrawnOutline::Kind::Brush),
                     {ToolOption::GrabSize, ToolOption::Through});
 }
 

@@ -10,12 +10,11 @@ namespace wend {
 
 /// Makes one handle of what is drawn over by rectangle, lasso or brush. Shift adds to the selected handle,
 /// Ctrl subtracts from it; on a solid a click does so with one vertex.
-template <int Dim>
-class GrabTool : public ShapeTool<Dim> {
+class GrabTool : public ShapeTool<> {
   public:
     /// `done`: a part was taken hold of, and is there to be moved.
-    GrabTool(SurfaceOf<Dim>& view, DrawnOutline::Kind outline, PinChoice& choice, std::function<void()> done)
-        : ShapeTool<Dim>(view), m_outline(outline), m_choice(choice), m_done(std::move(done)) {
+    GrabTool(ShapeView& view, DrawnOutline::Kind outline, PinChoice& choice, std::function<void()> done)
+        : ShapeTool<>(view), m_outline(outline), m_choice(choice), m_done(std::move(done)) {
         const auto take = [this] { m_outline.setRadius(m_choice.now().radius); };
         QObject::connect(&choice, &PinChoice::changed, &m_listener, take);
         take();
@@ -31,12 +30,21 @@ class GrabTool : public ShapeTool<Dim> {
     void leave() override { m_over = false; }
     void paint(QPainter& painter) const override;
 
-  private:
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
+  protected:
+    /// Takes hold of what is drawn over; returns true if that is a new handle.
+    virtual bool take(Qt::KeyboardModifiers with) = 0;
+    /// Changes the selected handle by a click with Shift or Ctrl.
+    virtual void takeClicked(Qt::KeyboardModifiers) {}
+    /// Updates what would be held, shows it, and drops it.
+    virtual void follow() {}
+    virtual void paintCaught(QPainter&) const {}
+    virtual void drop() {}
     bool takesHidden() const { return m_choice.now().through; }
-    void take(Qt::KeyboardModifiers with);
-    void follow();
+    const DrawnOutline& outline() const { return m_outline; }
+    const QPointF& pointer() const { return m_at; }
+
+  private:
+    void finish(Qt::KeyboardModifiers with);
 
     DrawnOutline m_outline;
     PinChoice& m_choice;
@@ -44,11 +52,7 @@ class GrabTool : public ShapeTool<Dim> {
     std::function<void()> m_done;
     bool m_active = false, m_over = false;  // over: the pointer is over the view
     QPointF m_at;
-    std::vector<int> m_caught;  // so far, of a solid
 };
-
-extern template class GrabTool<2>;
-extern template class GrabTool<3>;
 
 ToolKind grabByLassoTool();
 ToolKind grabByBoxTool();

@@ -63,13 +63,13 @@ QPainterPath snapped(const QPainterPath& path) {
 }
 
 /// Maps an outline to the rest shape: outside of it by the offset from the nearest vertex.
-Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
-    const auto frame = surface.session().frame<2>();
+Polygon atRest(PictureShapeView& view, const QPolygonF& outline) {
+    const auto frame = view.session().frame<2>();
     const PointLocator<2> locator(frame->pose, frame->rest->cells);
     const Points<2>& rest = frame->rest->points;
     std::vector<Vec<2>> points;
     for (const QPointF& corner : refined(outline)) {
-        const Vec<2> p = surface.toShape(corner);
+        const Vec<2> p = view.toShape(corner);
         if (const auto location = locator.find(p)) {
             points.push_back(positionOf<2>(*location, *frame->rest, rest));
             continue;
@@ -78,7 +78,7 @@ Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
         (frame->pose.colwise() - p).colwise().squaredNorm().minCoeff(&nearest);
         points.push_back(rest.col(nearest) + p - frame->pose.col(nearest));
     }
-    const double pixel = (surface.toShape({1, 0}) - surface.toShape({0, 0})).norm();
+    const double pixel = (view.toShape({1, 0}) - view.toShape({0, 0})).norm();
     points.push_back(points.front());
     points = simplified<2>(points, kPartDetail * pixel);
     points.pop_back();
@@ -86,61 +86,62 @@ Polygon atRest(ToolSurface& surface, const QPolygonF& outline) {
 }
 
 /// Returns the placement of the handle; nothing if it contains (almost) nothing of the shape.
-std::optional<Placement<2>> placementOf(ToolSurface& surface, const QPainterPath& area) {
+std::optional<Placement<3>> placementOf(PictureShapeView& view, const QPainterPath& area) {
     const QPolygonF outline = outlineOf(area);
-    const Polygon polygon = outline.size() < 3 ? Polygon() : atRest(surface, outline);
-    const auto& rest = *surface.session().frame<2>()->rest;
-    if (polygon.points.size() < 3 || verticesInside<2>(polygon, rest).size() < kMinHeld) return {};
-    return Region<2>(polygon);
+    const Polygon polygon = outline.size() < 3 ? Polygon() : atRest(view, outline);
+    if (polygon.points.size() < 3 || view.session().frame()->verticesInside(polygon).size() < kMinHeld)
+        return {};
+    return Region<3>(polygon);
 }
 
 /// Returns the part of a picture to which a handle belongs that holds this: where parts are locked, the
 /// frontmost other one that has vertices there. Empty: any part. Nothing if all that it would hold is locked.
-std::optional<std::string> ownerOf(ToolSurface& surface, const Placement<2>& placement) {
-    const auto& parts = surface.session().document().domain().parts;
-    const auto* region = std::get_if<Region<2>>(&placement);
+std::optional<std::string> ownerOf(ShapeView& view, const Placement<3>& placement) {
+    const auto& parts = view.session().document().domain().parts;
+    const auto* region = std::get_if<Region<3>>(&placement);
     if (!region || std::ranges::none_of(parts, &PicturePart::locked)) return std::string();
-    const SimplicialMesh<2>& rest = *surface.session().frame<2>()->rest;
-    for (auto range = rest.parts.rbegin(); range != rest.parts.rend(); ++range) {
+    const FramePtr frame = view.session().frame();
+    const std::vector<int> held = frame->verticesInside(*region);
+    for (auto range = frame->parts().rbegin(); range != frame->parts().rend(); ++range) {
         const auto part = std::ranges::find(parts, range->name, &PicturePart::name);
         if (part != parts.end() && part->locked) continue;
-        for (int v = range->firstVertex; v < range->endVertex; ++v)
-            if (signedDistance<2>(*region, rest.points.col(v)) <= 0) return range->name;
+        const auto first = std::ranges::lower_bound(held, range->firstVertex);
+        if (first != held.end() && *first < range->endVertex) return range->name;
     }
     return {};
 }
 
-std::optional<std::string> ownerOf(SolidSurface&, const Placement<3>&) {
-    return std::string();
-}
-
-std::optional<Placement<3>> placementOf(SolidSurface& surface, const std::vector<int>& vertices) {
+std::optional<Placement<3>> placementOf(SolidShapeView& view, const std::vector<int>& vertices) {
     if (vertices.empty()) return {};
-    return surface.session().placementOf(vertices);
+    return view.session().placementOf(vertices);
 }
 
 /// Returns what the single selected handle holds; nothing without one, or in the plane if that is no region.
-std::optional<QPainterPath> selectedPart(ToolSurface& surface) {
-    ShapeSession& session = surface.session();
+std::optional<QPainterPath> selectedPart(PictureShapeView& view) {
+    ShapeSession& session = view.session();
     const auto frame = session.frame<2>();
-    for (const PinView<2>& view : session.pins()) {
-        if (view.handle != session.singleHandle() || !view.region) continue;
+    for (const PinView& pin : session.pins()) {
+        if (pin.handle != session.singleHandle() || !pin.region) continue;
         QPolygonF border;
-        for (const Vec<2>& p : regionBorder(session.document().design().handles[view.handle], view, *frame))
-            border << surface.toWidget(p);
+        for (const Vec3& p : regionBorder(session.document().design().handles[pin.handle], pin, *frame))
+            border << view.onScreen(p);
         return snapped(insideOf(border));
     }
     return {};
 }
 
-std::optional<std::vector<int>> selectedPart(SolidSurface& surface) {
-    const int handle = surface.session().singleHandle();
+std::optional<std::vector<int>> selectedPart(SolidShapeView& view) {
+    const int handle = view.session().singleHandle();
     if (handle < 0) return {};
-    return surface.session().verticesOf(handle);
+    return view.session().verticesOf(handle);
 }
 
-QPainterPath joined(const QPainterPath& a, const QPainterPath& b) {
+QPainterPath united(const QPainterPath& a, const QPainterPath& b) {
     return a.united(b);
+}
+
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+    return joined(a, b);
 }
 
 QPainterPath without(const QPainterPath& a, const QPainterPath& b) {
@@ -161,66 +162,73 @@ std::vector<int> joined(const std::vector<int>& a, const std::vector<int>& b) {
     return both;
 }
 
-template <>
-QPainterPath drawnPart<2>(const ToolSurface&, const DrawnOutline& outline, bool) {
+QPainterPath drawnPart(const PictureShapeView&, const DrawnOutline& outline) {
     return snapped(outline.area());
 }
 
-template <>
-std::vector<int> drawnPart<3>(const SolidSurface& surface, const DrawnOutline& outline, bool through) {
-    auto vertices = surface.verticesWhere([&](const QPointF& p) { return outline.contains(p); }, !through);
+std::vector<int> drawnPart(const SolidShapeView& view, const DrawnOutline& outline, bool through) {
+    auto vertices = view.verticesWhere([&](const QPointF& p) { return outline.contains(p); }, !through);
     std::ranges::sort(vertices);
     return vertices;
 }
 
-template <int Dim>
-bool holdPart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part) {
-    ShapeSession& session = surface.session();
-    const auto place = placementOf(surface, part);
-    if (const auto owner = place ? ownerOf(surface, *place) : std::nullopt)
-        return session.addHandle<Dim>(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
-                                      *owner) >= 0;
+namespace {
+
+template <class View, class Part>
+bool hold(View& view, const Part& part) {
+    ShapeSession& session = view.session();
+    const auto place = placementOf(view, part);
+    if (const auto owner = place ? ownerOf(view, *place) : std::nullopt)
+        return session.addHandle(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
+                                 *owner) >= 0;
     session.notify(QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }
 
-template <int Dim>
-bool changePart(SurfaceOf<Dim>& surface, const HeldPart<Dim>& part, Qt::KeyboardModifiers with) {
+template <class View, class Part>
+bool change(View& view, const Part& part, Qt::KeyboardModifiers with) {
     const bool adds = with & Qt::ShiftModifier, takes = with & Qt::ControlModifier;
-    ShapeSession& session = surface.session();
-    const auto own = adds || takes ? selectedPart(surface) : std::nullopt;
+    ShapeSession& session = view.session();
+    const auto own = adds || takes ? selectedPart(view) : std::nullopt;
     if (!own && takes && !adds)
         session.notify(QCoreApplication::translate("GrabTool", "Select one part to take away from."));
     if (!own) return takes && !adds;
-    const auto changed = adds ? joined(*own, part) : without(*own, part);
+    const Part changed = adds ? united(*own, part) : without(*own, part);
     if (changed == *own) return true;
-    if (const auto place = placementOf(surface, changed))
-        session.changeHandle<Dim>(session.singleHandle(), *place);
+    if (const auto place = placementOf(view, changed))
+        session.changeHandle(session.singleHandle(), *place);
     else
         session.notify(
             QCoreApplication::translate("GrabTool", "A handle must hold something; Delete removes it."));
     return true;
 }
 
-void paintCaught(QPainter& painter, SolidSurface& surface, const std::vector<int>& vertices,
+}  // namespace
+
+bool holdPart(PictureShapeView& view, const QPainterPath& part) {
+    return hold(view, part);
+}
+bool holdPart(SolidShapeView& view, const std::vector<int>& part) {
+    return hold(view, part);
+}
+bool changePart(PictureShapeView& view, const QPainterPath& part, Qt::KeyboardModifiers with) {
+    return change(view, part, with);
+}
+bool changePart(SolidShapeView& view, const std::vector<int>& part, Qt::KeyboardModifiers with) {
+    return change(view, part, with);
+}
+
+void paintCaught(QPainter& painter, SolidShapeView& view, const std::vector<int>& vertices,
                  const QPointF& at) {
-    const auto frame = surface.session().frame<3>();
+    const auto frame = view.session().frame<3>();
     if (!frame) return;
     painter.setBrush(QColor(kAccent));
     painter.setPen(QPen(Qt::white, marked(0.75)));
     for (const int v : vertices)
-        painter.drawEllipse(surface.toWidget(frame->pose.col(v)), marked(2.6), marked(2.6));
+        painter.drawEllipse(view.onScreen(frame->vertex(v)), marked(2.6), marked(2.6));
     paintLabel(painter, at + QPointF(16, 12),
                QCoreApplication::translate("wend::RegionPanel", "Vertices: %n", nullptr,
                                            static_cast<int>(vertices.size())));
 }
-
-#define WEND_INSTANTIATE(Dim)                                           \
-    template bool holdPart<Dim>(SurfaceOf<Dim>&, const HeldPart<Dim>&); \
-    template bool changePart<Dim>(SurfaceOf<Dim>&, const HeldPart<Dim>&, Qt::KeyboardModifiers)
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 }  // namespace wend

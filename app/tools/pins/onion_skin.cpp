@@ -157,14 +157,15 @@ void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
 
 /// Returns in the plane the outline of the drawing or the boundary, in space the silhouette edges.
 template <int Dim>
-std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const {
+std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, ShapeView& view) const {
     Points<Dim> points = frame.pose;
     if constexpr (Dim == 2)
         if (m_drawn) points = m_drawn->interpolate(restInPixels(*frame.built), frame.pose);
     if constexpr (Dim == 3)
         if (m_isEmbedded) points = frame.built->embedding->carry(*frame.rest, frame.pose);
     std::vector<QPointF> at;
-    for (Eigen::Index v = 0; v < points.cols(); ++v) at.push_back(surface.toWidget(points.col(v)));
+    for (Eigen::Index v = 0; v < points.cols(); ++v)
+        at.push_back(view.onScreen(inSpace(Vec<Dim>(points.col(v)))));
     const auto place = [&at](int v) { return at[static_cast<std::size_t>(v)]; };
     std::vector<QPolygonF> lines;
     for (const Loop& loop : m_loops) {
@@ -186,34 +187,34 @@ std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, Sur
 }
 
 template <int Dim>
-void OnionSkin<Dim>::paintFills(QPainter& painter, SurfaceOf<Dim>& surface) {
+void OnionSkin<Dim>::paintFills(QPainter& painter, ShapeView& view) {
     painter.setPen(Qt::NoPen);
-    for (const Layer& layer : layers(surface.session())) {
+    for (const Layer& layer : layers(view.session())) {
         takeBoundary(*layer.frame);
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
-        for (const QPolygonF& line : outline(*layer.frame, surface)) path.addPolygon(line);
+        for (const QPolygonF& line : outline(*layer.frame, view)) path.addPolygon(line);
         painter.fillPath(path, layer.colour);
     }
 }
 
 template <int Dim>
-void OnionSkin<Dim>::paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface) {
+void OnionSkin<Dim>::paintOutlines(QPainter& painter, ShapeView& view) {
     painter.setBrush(Qt::NoBrush);
-    for (const Layer& layer : layers(surface.session())) {
+    for (const Layer& layer : layers(view.session())) {
         takeBoundary(*layer.frame);
         QColor colour = layer.colour;
         colour.setAlphaF(static_cast<float>(kLineStrength) * colour.alphaF());
         painter.setPen(QPen(colour, kOutlineWidth));
-        for (const QPolygonF& line : outline(*layer.frame, surface)) painter.drawPolyline(line);
+        for (const QPolygonF& line : outline(*layer.frame, view)) painter.drawPolyline(line);
     }
 }
 
 template <int Dim>
-void OnionSkin<Dim>::paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame) {
+void OnionSkin<Dim>::paintRim(QPainter& painter, ShapeView& view, const PosedFrame<Dim>& frame) {
     takeBoundary(frame);
     painter.setPen(QPen(QColor::fromRgba(kRim), kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    for (const QPolygonF& line : outline(frame, surface)) painter.drawPolyline(line);
+    for (const QPolygonF& line : outline(frame, view)) painter.drawPolyline(line);
 }
 
 template class OnionSkin<2>;

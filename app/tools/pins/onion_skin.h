@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/tools/shape_tool.h"
+#include "app/tools/shape_view.h"
 
 namespace wend {
 
@@ -20,11 +20,11 @@ class OnionSkin {
   public:
     void setShown(bool shown) { m_shown = shown; }
     /// Drawn below a picture; solids have outlines only.
-    void paintFills(QPainter& painter, SurfaceOf<Dim>& surface);
-    void paintOutlines(QPainter& painter, SurfaceOf<Dim>& surface);
+    void paintFills(QPainter& painter, ShapeView& view);
+    void paintOutlines(QPainter& painter, ShapeView& view);
     /// Draws a rim around the shown shape, even without the skins; drawn below it, only the outer half is
     /// visible.
-    void paintRim(QPainter& painter, SurfaceOf<Dim>& surface, const PosedFrame<Dim>& frame);
+    void paintRim(QPainter& painter, ShapeView& view, const PosedFrame<Dim>& frame);
 
   private:
     using Loop = std::vector<int>;
@@ -40,7 +40,7 @@ class OnionSkin {
     std::vector<Layer> layers(ShapeSession& session) const;
     void takeBoundary(const PosedFrame<Dim>& frame);
     void takeDrawing(const Shape<Dim>& shape);
-    std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, SurfaceOf<Dim>& surface) const;
+    std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, ShapeView& view) const;
 
     bool m_shown = false;
     std::shared_ptr<const SimplicialMesh<Dim>> m_rest;  // owner of the boundary

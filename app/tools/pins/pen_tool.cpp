@@ -30,8 +30,7 @@ bool ends(const QKeyEvent& event) {
 
 }  // namespace
 
-template <int Dim>
-QString PenTool<Dim>::hint() const {
+QString PenTool::hint() const {
     if (isDrawing() && m_pressed)
         return QCoreApplication::translate(
             "PenTool", "Drag for a smooth point: Shift snaps to 45°, Ctrl or Alt moves this side only");
@@ -45,40 +44,34 @@ QString PenTool<Dim>::hint() const {
         "PenTool", "Click where the selected pin should go, point by point; drag for a smooth point");
 }
 
-template <int Dim>
-bool PenTool<Dim>::isDrawing() const {
+bool PenTool::isDrawing() const {
     return !m_joints.empty() && m_of == session().document().project() &&
            m_time == session().playback().time();
 }
 
-template <int Dim>
-int PenTool<Dim>::pinAt(const QPointF& widget) const {
+int PenTool::pinAt(const QPointF& widget) const {
     PinPick pick;
-    for (const PinView<Dim>& pin : session().template pins<Dim>())
-        if (const double d = QLineF(surface().toWidget(pin.centre), widget).length(); d <= marked(kPenReach))
+    for (const PinView& pin : session().pins())
+        if (const double d = QLineF(view().onScreen(pin.centre), widget).length(); d <= marked(kPenReach))
             pick.offer(pin.handle, d, false);
     return pick.handle();
 }
 
 /// In space, projects on the plane through the last point that faces the viewer.
-template <int Dim>
-Vec3 PenTool<Dim>::placeAt(const QPointF& widget) const {
-    return acrossTheScreen(surface(), m_joints.back().at, widget);
+Vec3 PenTool::placeAt(const QPointF& widget) const {
+    return acrossTheScreen(view(), m_joints.back().at, widget);
 }
 
-template <int Dim>
-Vec3 PenTool<Dim>::nextPlace() const {
+Vec3 PenTool::nextPlace() const {
     return placeAt(m_steps ? last() + inSteps(m_at - last()) : m_at);
 }
 
-template <int Dim>
-bool PenTool<Dim>::isOnLast(const QPointF& widget) const {
+bool PenTool::isOnLast(const QPointF& widget) const {
     return QLineF(last(), widget).length() <= marked(kSamePoint);
 }
 
 /// Begins a path at the pin under the pointer, or at the selected ones; returns false if there is none.
-template <int Dim>
-bool PenTool<Dim>::begin(const QPointF& at) {
+bool PenTool::begin(const QPointF& at) {
     m_joints.clear();
     if (const int pin = pinAt(at); pin >= 0) {
         session().selection().set({pin});
@@ -92,38 +85,34 @@ bool PenTool<Dim>::begin(const QPointF& at) {
 }
 
 /// Begins at the centre of the handles that act now.
-template <int Dim>
-bool PenTool<Dim>::beginAt(const std::vector<int>& handles) {
+bool PenTool::beginAt(const std::vector<int>& handles) {
     session().playback().setPlaying(false);
     std::vector<Vec3> centres;
-    for (const PinView<Dim>& pin : session().template pins<Dim>(true))
+    for (const PinView& pin : session().pins(true))
         if (std::count(handles.begin(), handles.end(), pin.handle)) centres.push_back(inSpace(pin.centre));
     const bool may = std::ranges::all_of(handles, [this](int h) { return session().mayChange(h); });
     if (centres.empty() || !may) return false;
-    m_joints = {{meanOf<3>(centres)}};
+    m_joints = {{meanOf(centres)}};
     m_of = session().document().project();
     m_time = session().playback().time();
     return true;
 }
 
-template <int Dim>
-void PenTool<Dim>::takePointer(const QMouseEvent& event) {
+void PenTool::takePointer(const QMouseEvent& event) {
     m_at = event.position();
     m_steps = event.modifiers() & Qt::ShiftModifier;
     m_over = true;
 }
 
 /// Sets the directions from the length of the drag; Shift may have put the point beside the pointer.
-template <int Dim>
-void PenTool<Dim>::pullDirections(bool oneOnly) {
+void PenTool::pullDirections(bool oneOnly) {
     const QPointF way = m_at - m_from;
     DrawnJoint& joint = m_joints.back();
     joint.out = placeAt(last() + (m_steps ? inSteps(way) : way)) - joint.at;
     if (!oneOnly) joint.in = -joint.out;
 }
 
-template <int Dim>
-void PenTool<Dim>::press(const QMouseEvent& event) {
+void PenTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_pressed) return;
     takePointer(event);
     m_from = m_at;
@@ -134,69 +123,60 @@ void PenTool<Dim>::press(const QMouseEvent& event) {
         if (!isOnLast(m_at)) m_joints.push_back({nextPlace()});
         m_pressed = true;
     }
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void PenTool<Dim>::move(const QMouseEvent& event) {
+void PenTool::move(const QMouseEvent& event) {
     takePointer(event);
     if (m_pressed && isDrawing() && QLineF(m_at, m_from).length() >= kArmDrag)
         pullDirections(event.modifiers() & (Qt::AltModifier | Qt::ControlModifier));
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void PenTool<Dim>::release(const QMouseEvent& event) {
+void PenTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     m_pressed = false;
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-void PenTool<Dim>::finish() {
+void PenTool::finish() {
     const auto joints = std::exchange(m_joints, {});
     m_pressed = false;
     if (joints.size() > 1) session().followCurve(bezierThrough(joints));
 }
 
-template <int Dim>
-void PenTool<Dim>::removeLast() {
+void PenTool::removeLast() {
     m_joints.pop_back();
     m_pressed = false;
     if (m_joints.size() < 2) m_joints.clear();
 }
 
-template <int Dim>
-bool PenTool<Dim>::ownsKey(const QKeyEvent& event) const {
+bool PenTool::ownsKey(const QKeyEvent& event) const {
     return isDrawing() && (ends(event) || takesBack(event));
 }
 
-template <int Dim>
-bool PenTool<Dim>::key(const QKeyEvent& event) {
+bool PenTool::key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape)
         isDrawing() ? cancel() : session().selection().clear();
     else if (ownsKey(event))
         ends(event) ? finish() : removeLast();
     else
         return false;
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-MenuPlace PenTool<Dim>::menuAt(const QPointF& at) {
+MenuPlace PenTool::menuAt(const QPointF& at) {
     return isDrawing() ? MenuPlace::None : menuOfPin(session().selection(), pinAt(at));
 }
 
-template <int Dim>
-void PenTool<Dim>::cancel() {
+void PenTool::cancel() {
     m_joints.clear();
     m_pressed = false;
 }
 
 /// Also draws what a click would add.
-template <int Dim>
-void PenTool<Dim>::paint(QPainter& painter) const {
+void PenTool::paint(QPainter& painter) const {
     if (!isDrawing()) return;
     auto joints = m_joints;
     if (!m_pressed && m_over && !isOnLast(m_at)) joints.push_back({nextPlace()});
@@ -204,7 +184,7 @@ void PenTool<Dim>::paint(QPainter& painter) const {
     if (joints.size() > 1)
         for (const auto& piece : bezierCurve<3>(bezierThrough(joints)).pieces)
             for (int i = 0; i <= kPaintedSamples; ++i)
-                line << surface().onScreen(piece.value(double(i) / kPaintedSamples));
+                line << view().onScreen(piece.value(double(i) / kPaintedSamples));
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen :
          {QPen(QColor(255, 255, 255, 216), marked(3.75)), QPen(kPathColour, marked(1.75))}) {
@@ -215,19 +195,18 @@ void PenTool<Dim>::paint(QPainter& painter) const {
 }
 
 /// Squares, and the directions of the last one.
-template <int Dim>
-void PenTool<Dim>::paintJoints(QPainter& painter) const {
+void PenTool::paintJoints(QPainter& painter) const {
     const DrawnJoint& last = m_joints.back();
     painter.setPen(QPen(kPathColour, marked(1.25)));
     painter.setBrush(kPathColour);
     for (const Vec3& way : {last.in, last.out}) {
         if (way.isZero()) continue;
-        const QPointF end = surface().onScreen(last.at + way);
-        painter.drawLine(surface().onScreen(last.at), end);
+        const QPointF end = view().onScreen(last.at + way);
+        painter.drawLine(view().onScreen(last.at), end);
         painter.drawEllipse(end, marked(4), marked(4));
     }
     for (const auto& joint : m_joints) {
-        const QPointF at = surface().onScreen(joint.at);
+        const QPointF at = view().onScreen(joint.at);
         const bool isLast = &joint == &last;
         painter.setPen(QPen(isLast ? QColor(kAccent) : QColor(Qt::white), marked(isLast ? 2.25 : 1.25)));
         painter.setBrush(isLast ? QColor(Qt::white) : kPathColour);
@@ -235,9 +214,6 @@ void PenTool<Dim>::paintJoints(QPainter& painter) const {
         painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
     }
 }
-
-template class PenTool<2>;
-template class PenTool<3>;
 
 ToolKind penTool() {
     return toolKind("pen", "pen", QT_TRANSLATE_NOOP("Tools", "Pe&n"),

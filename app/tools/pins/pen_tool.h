@@ -10,10 +10,9 @@ namespace wend {
 /// Draws the path of the selected pins, or of a clicked pin: a click adds a corner, a drag a smooth point.
 /// Shift constrains both to steps of 45°; with Ctrl or Alt a drag changes only the direction after the point.
 /// In space every point has the depth of the one before. The path is one undo step; other changes cancel it.
-template <int Dim>
-class PenTool : public ShapeTool<Dim> {
+class PenTool : public ShapeTool<> {
   public:
-    explicit PenTool(SurfaceOf<Dim>& view) : ShapeTool<Dim>(view) {}
+    explicit PenTool(ShapeView& view) : ShapeTool<>(view) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -30,14 +29,12 @@ class PenTool : public ShapeTool<Dim> {
     bool isDrawing() const;
 
   private:
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
     int pinAt(const QPointF& widget) const;
     bool begin(const QPointF& at);
     bool beginAt(const std::vector<int>& handles);
     Vec3 placeAt(const QPointF& widget) const;
     Vec3 nextPlace() const;
-    QPointF last() const { return surface().onScreen(m_joints.back().at); }
+    QPointF last() const { return view().onScreen(m_joints.back().at); }
     void takePointer(const QMouseEvent& event);
     void pullDirections(bool oneOnly);
     bool isOnLast(const QPointF& widget) const;
@@ -53,9 +50,6 @@ class PenTool : public ShapeTool<Dim> {
     bool m_steps = false;  // constrains to 45°
     QPointF m_from, m_at;
 };
-
-extern template class PenTool<2>;
-extern template class PenTool<3>;
 
 ToolKind penTool();
 

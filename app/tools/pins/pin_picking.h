@@ -5,16 +5,10 @@
 namespace wend {
 
 /// Returns whether something of the shape is in front of the pin's point.
-template <int Dim>
-bool isCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin, std::size_t point);
-template <>
-bool isCovered<2>(ToolSurface& surface, const PinView<2>& pin, std::size_t point);
-template <>
-bool isCovered<3>(SolidSurface& surface, const PinView<3>& pin, std::size_t point);
+bool isCovered(const ShapeView& view, const PinView& pin, std::size_t point);
 
 /// Returns whether the mark is faint: what it holds is covered, or a whole area is cut away.
-template <int Dim>
-bool isMarkCovered(SurfaceOf<Dim>& surface, const PinView<Dim>& pin);
+bool isMarkCovered(const ShapeView& view, const PinView& pin);
 
 /// Picks one of the marks within reach of the pointer: visible ones before covered ones, then the nearest.
 class PinPick {
@@ -37,16 +31,13 @@ class PinPick {
 
 /// Returns the handle whose mark is within reach of a point of the widget, including inactive handles, or −1.
 /// `through`: ignores what is in front.
-template <int Dim>
-int markUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
+int markUnder(ShapeView& view, const QPointF& widget, bool through);
 
 /// Returns the handle with a point within reach, or in the plane with a region that contains the point; or
 /// −1.
-template <int Dim>
-int partUnder(SurfaceOf<Dim>& surface, const QPointF& widget, bool through);
+int partUnder(ShapeView& view, const QPointF& widget, bool through);
 
 /// Returns the handle whose path is within reach of a point of the widget, or −1.
-template <int Dim>
-int wayUnder(SurfaceOf<Dim>& surface, const QPointF& widget);
+int wayUnder(ShapeView& view, const QPointF& widget);
 
 }  // namespace wend

@@ -29,59 +29,59 @@ QPointF PinRing::spot(Grip::Kind kind, const QPointF& centre) const {
     return centre + marked(kRadius) * QPointF(std::cos(angle), std::sin(angle));
 }
 
-std::optional<PinRing::Part> PinRing::partAt(const ToolSurface& surface, const QPointF& widget) const {
-    const QPointF centre = surface.toWidget(m_centre);
+std::optional<PinRing::Part> PinRing::partAt(const ShapeView& view, const QPointF& widget) const {
+    const QPointF centre = view.onScreen(m_centre);
     for (const auto kind : {Grip::Kind::Turn, Grip::Kind::Grow})
         if (m_canTurn && QLineF(spot(kind, centre), widget).length() <= marked(kGripReach)) return Part{kind};
     return {};
 }
 
-bool PinRing::turnsPointAt(const ToolSurface& surface, const QPointF& widget) const {
-    const double radius = QLineF(surface.toWidget(m_centre), widget).length();
+bool PinRing::turnsPointAt(const ShapeView& view, const QPointF& widget) const {
+    const double radius = QLineF(view.onScreen(m_centre), widget).length();
     return !m_canTurn && std::abs(radius - marked(kRadius)) <= marked(kRingReach);
 }
 
-QString PinRing::hint() {
+QString PinRing::hint() const {
     return QCoreApplication::translate(
         "PinTool",
         "Drag the dot to rotate, Shift snaps to 15°, or the square to scale; digits set the number");
 }
 
-void PinRing::begin(const Part& part, const ToolSurface& surface, const QPointF& widget) {
+void PinRing::begin(const Part& part, const ShapeView& view, const QPointF& widget) {
     m_part = part;
-    m_startPoint = surface.toShape(widget);
+    m_startPoint = acrossTheScreen(view, m_centre, widget);
     m_angle = m_turned = 0;
-    m_lastAngle = angleAt(surface, widget);
-    const double radius = QLineF(surface.toWidget(m_centre), widget).length();
+    m_lastAngle = angleAt(view, widget);
+    const double radius = QLineF(view.onScreen(m_centre), widget).length();
     m_startDistance = std::max(radius, kMiddle);
     m_lead = m_startDistance - radius;
 }
 
 /// Returns the pointer's angle around the centre; nothing if it is too close.
-std::optional<double> PinRing::angleAt(const ToolSurface& surface, const QPointF& widget) const {
-    if (QLineF(surface.toWidget(m_centre), widget).length() < kMiddle) return {};
-    const Vec<2> arm = surface.toShape(widget) - m_centre;
+std::optional<double> PinRing::angleAt(const ShapeView& view, const QPointF& widget) const {
+    if (QLineF(view.onScreen(m_centre), widget).length() < kMiddle) return {};
+    const Vec3 arm = acrossTheScreen(view, m_centre, widget) - m_centre;
     return std::atan2(arm.y(), arm.x());
 }
 
-Grip PinRing::grip(const ToolSurface&) const {
+Grip PinRing::grip(const ShapeView&) const {
     Grip grip;
     grip.kind = m_part.kind;
-    if (grip.kind != Grip::Kind::Move) grip.centre.head<2>() = m_centre;
+    if (grip.kind != Grip::Kind::Move) grip.centre = m_centre;
     return grip;
 }
 
-Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool snaps) {
+Amount PinRing::drag(const ShapeView& view, const QPointF& widget, bool snaps) {
     if (m_part.kind == Grip::Kind::Move) {
-        m_way = surface.toShape(widget) - m_startPoint;
-        if (isAlongAxis()) m_way = Vec<2>(m_way[m_part.axis] * Vec<2>::Unit(m_part.axis));
-        return inSpace(m_way);
+        m_way = acrossTheScreen(view, m_centre, widget) - m_startPoint;
+        if (isAlongAxis()) m_way = Vec3(m_way[m_part.axis] * Vec3::Unit(m_part.axis));
+        return m_way;
     }
     if (m_part.kind == Grip::Kind::Grow) {
-        const double radius = QLineF(surface.toWidget(m_centre), widget).length();
+        const double radius = QLineF(view.onScreen(m_centre), widget).length();
         return {std::max((radius + m_lead) / m_startDistance, kMinFactor) - 1, 0, 0};
     }
-    if (const auto angle = angleAt(surface, widget)) {
+    if (const auto angle = angleAt(view, widget)) {
         m_angle += std::remainder(*angle - m_lastAngle.value_or(*angle), 2 * std::numbers::pi);
         m_lastAngle = angle;
     }
@@ -89,18 +89,18 @@ Amount PinRing::drag(const ToolSurface& surface, const QPointF& widget, bool sna
     return {m_turned, 0, 0};
 }
 
-Amount PinRing::typed(double number, const ToolSurface&) const {
+Amount PinRing::typed(double number, const ShapeView&) const {
     if (m_part.kind != Grip::Kind::Move) return turnedOrScaled(number);
-    return inSpace(Vec<2>(number * (isAlongAxis() ? Vec<2>(Vec<2>::Unit(m_part.axis)) : m_way.normalized())));
+    return number * (isAlongAxis() ? Vec3(Vec3::Unit(m_part.axis)) : m_way.normalized());
 }
 
-void PinRing::paintDragged(QPainter& painter, const ToolSurface& surface, const Amount&) const {
-    if (m_part.kind != Grip::Kind::Move) paint(painter, surface, m_part);
+void PinRing::paintDragged(QPainter& painter, const ShapeView& view, const Amount&) const {
+    if (m_part.kind != Grip::Kind::Move) paint(painter, view, m_part);
 }
 
-void PinRing::paint(QPainter& painter, const ToolSurface& surface, const std::optional<Part>& lit) const {
+void PinRing::paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const {
     const QColor accent(kAccent);
-    const QPointF centre = surface.toWidget(m_centre);
+    const QPointF centre = view.onScreen(m_centre);
     const double radius = marked(kRadius);
     painter.setBrush(Qt::NoBrush);
     for (const auto& [colour, width] : {std::pair(QColor(255, 255, 255, 200), 4.0), std::pair(accent, 2.0)}) {

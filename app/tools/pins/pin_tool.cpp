@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/engine/shape/shape.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/tools/drag_label.h"
+#include "app/tools/manipulator.h"
+#include "app/tools/pins/pin_ring.h"
 
 namespace wend {
 
@@ -17,98 +18,91 @@ constexpr double kTurnDetail = 0.005;  // radians, or a factor: tolerance of rec
 constexpr double kMinDetail = 0.2;     // but no less than this, in pixels of the picture
 constexpr double kPinDrag = 3;         // pixels: less is a click
 
-/// Returns the step of an arrow key: pixels of the picture, whose axes are those of the screen.
-Vec<2> nudgeOf(ToolSurface& surface, const Vec<2>&, const QPointF& by) {
-    const double down = surface.toShape({0, 1}).y() - surface.toShape({0, 0}).y();
-    return surface.session().pixel() * Vec<2>(by.x(), std::copysign(by.y(), down * by.y()));
+/// Returns the step of an arrow key: in a picture pixels of it, whose axes are those of the screen; in a
+/// solid pixels of the screen, across the direction of view.
+Vec3 nudgeOf(ShapeView& view, const Vec3& p, const QPointF& by) {
+    if (view.dimension() == 2) {
+        const double down = (view.ray({0, 1}).origin - view.ray({0, 0}).origin).y();
+        return view.session().pixel() * Vec3(by.x(), std::copysign(by.y(), down * by.y()), 0);
+    }
+    const QPointF at = view.onScreen(p);
+    return acrossTheScreen(view, p, at + by) - acrossTheScreen(view, p, at);
 }
 
-/// Returns the step in a solid: pixels of the screen, across the direction of view.
-Vec<3> nudgeOf(SolidSurface& surface, const Vec<3>& p, const QPointF& by) {
-    const QPointF at = surface.toWidget(p);
-    return acrossTheScreen(surface, p, at + by) - acrossTheScreen(surface, p, at);
+std::unique_ptr<Gizmo> gizmoFor(const ShapeView& view) {
+    if (view.dimension() == 2) return std::make_unique<PinRing>();
+    return std::make_unique<Manipulator>();
 }
 
 }  // namespace
 
-template <int Dim>
-PinTool<Dim>::PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds)
-    : ShapeTool<Dim>(view), m_curve(view), m_choice(choice), m_adds(adds) {
+PinTool::PinTool(ShapeView& view, PinChoice& choice, bool adds)
+    : ShapeTool<>(view), m_gizmo(gizmoFor(view)), m_curve(view), m_choice(choice), m_adds(adds) {
     QObject::connect(&choice, &PinChoice::changed, &m_listener, [this] { takeChoice(); });
     takeChoice();
 }
 
-template <int Dim>
-void PinTool<Dim>::takeChoice() {
-    m_gizmo.setGrip(m_choice.now().grip);
+void PinTool::takeChoice() {
+    m_gizmo->setGrip(m_choice.now().grip);
     m_outline.setKind(m_choice.now().selectBy);
     m_outline.setRadius(m_choice.now().radius);
-    surface().redraw();
+    view().redraw();
 }
 
-template <int Dim>
-int PinTool<Dim>::handleAt(const QPointF& widget) const {
+int PinTool::handleAt(const QPointF& widget) const {
     const int pin = pinAt(widget);
-    return pin >= 0 ? pin : partUnder<Dim>(surface(), widget, takesHidden());
+    return pin >= 0 ? pin : partUnder(view(), widget, takesHidden());
 }
 
 /// The end of a curve is below its pin, which takes precedence until that point is chosen.
-template <int Dim>
-int PinTool<Dim>::curvePointAt(const QPointF& at) const {
+int PinTool::curvePointAt(const QPointF& at) const {
     const int point = m_curve.pointAt(at);
     return point == m_curve.chosen() || pinAt(at) < 0 ? point : -1;
 }
 
-template <int Dim>
-std::optional<GizmoPart> PinTool<Dim>::partAt(const QPointF& at) const {
-    const bool looks = (Gizmo<Dim>::kComesFirst || pinAt(at) < 0) && placeGizmo();
-    return looks ? m_gizmo.partAt(surface(), at) : std::nullopt;
+std::optional<GizmoPart> PinTool::partAt(const QPointF& at) const {
+    const bool looks = (m_gizmo->comesFirst() || pinAt(at) < 0) && placeGizmo();
+    return looks ? m_gizmo->partAt(view(), at) : std::nullopt;
 }
 
 /// Returns the part that a drag would use.
-template <int Dim>
-std::optional<GizmoPart> PinTool<Dim>::litPart() const {
-    return m_part ? m_part : m_gizmo.anywhere();
+std::optional<GizmoPart> PinTool::litPart() const {
+    return m_part ? m_part : m_gizmo->anywhere();
 }
 
-template <int Dim>
-bool PinTool<Dim>::wants(const QPointF& at) const {
+bool PinTool::wants(const QPointF& at) const {
     return handleAt(at) >= 0 || m_curve.pointAt(at) > 0 || m_curve.isOnCurve(at) ||
-           wayUnder<Dim>(surface(), at) >= 0 || partAt(at);
+           wayUnder(view(), at) >= 0 || partAt(at);
 }
 
 /// Places the gizmo at the centre of the selection; false if nothing is selected.
-template <int Dim>
-bool PinTool<Dim>::placeGizmo() const {
+bool PinTool::placeGizmo() const {
     if (m_gesture == Gesture::Drag) return true;
-    if (!surface().showsManipulators()) return false;
-    std::vector<Vec<Dim>> centres;
+    if (!view().showsManipulators()) return false;
+    std::vector<Vec3> centres;
     std::size_t points = 0;
-    for (const auto& pin : session().template pins<Dim>()) {
+    for (const auto& pin : session().pins()) {
         if (!isSelected(pin.handle)) continue;
         centres.push_back(pin.centre);
         points += pin.points.size();
     }
     if (centres.empty()) return false;
-    m_gizmo.place(meanOf<Dim>(centres), points > 1);
+    m_gizmo->place(meanOf(centres), points > 1);
     return true;
 }
 
-template <int Dim>
-void PinTool<Dim>::takePointer(const QMouseEvent& event) {
+void PinTool::takePointer(const QMouseEvent& event) {
     m_at = event.position();
     m_seconds = secondsOf(event);
     m_over = true;
 }
 
-template <int Dim>
-void PinTool<Dim>::hover() {
+void PinTool::hover() {
     m_part = partAt(m_at);
     m_hovered = m_part ? pinAt(m_at) : handleAt(m_at);
 }
 
-template <int Dim>
-void PinTool<Dim>::press(const QMouseEvent& event) {
+void PinTool::press(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || m_gesture != Gesture::None) return;
     takePointer(event);
     m_gesture = Gesture::Pressed;
@@ -135,8 +129,7 @@ void PinTool<Dim>::press(const QMouseEvent& event) {
     if (m_pressed >= 0 && !m_leaves && (!isOwn || extend)) select(m_pressed, extend);
 }
 
-template <int Dim>
-void PinTool<Dim>::move(const QMouseEvent& event) {
+void PinTool::move(const QMouseEvent& event) {
     takePointer(event);
     if (m_gesture == Gesture::None) hover();
     const bool drags = QLineF(m_at, m_from).length() >= kPinDrag;
@@ -146,19 +139,17 @@ void PinTool<Dim>::move(const QMouseEvent& event) {
     const bool steps = event.modifiers() & Qt::ShiftModifier;
     if (m_gesture == Gesture::Drag) drag(steps);
     if (m_gesture == Gesture::Curve) m_curve.drag(reached(steps), event.modifiers() & Qt::ControlModifier);
-    surface().redraw();
+    view().redraw();
 }
 
 /// Returns whether the drag of a pin widens it. Window managers take drags with Alt alone.
-template <int Dim>
-bool PinTool<Dim>::widens() const {
+bool PinTool::widens() const {
     constexpr Qt::KeyboardModifiers kBoth = Qt::ControlModifier | Qt::ShiftModifier;
     return m_with & Qt::AltModifier || (m_with & kBoth) == kBoth;
 }
 
 /// Starts the gesture of the pressed item: a part of the gizmo, a pin, the bare shape, or none.
-template <int Dim>
-void PinTool<Dim>::begin() {
+void PinTool::begin() {
     const bool onPin = isSelected(m_pressed);
     if (onPin && widens()) {
         session().selection().set({m_pressed});
@@ -167,7 +158,7 @@ void PinTool<Dim>::begin() {
     }
     const bool isPlaced = placeGizmo();
     if (isPlaced) m_part = litPart();
-    if (isPlaced && !m_part && !onPin && m_gizmo.turnsPointAt(surface(), m_from))
+    if (isPlaced && !m_part && !onPin && m_gizmo->turnsPointAt(view(), m_from))
         m_part = Part{Grip::Kind::Turn};
     if (m_part && !canUse(*m_part)) {
         m_gesture = Gesture::None;
@@ -180,10 +171,9 @@ void PinTool<Dim>::begin() {
 }
 
 /// Adds and drags a pin in one step.
-template <int Dim>
-bool PinTool<Dim>::setPin() {
+bool PinTool::setPin() {
     const bool isPlain = !(m_with & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier));
-    if (!m_adds || !isPlain || !surface().touch(m_from)) return false;
+    if (!m_adds || !isPlain || !view().touch(m_from)) return false;
     session().document().beginStep();
     m_pressed = addPin(m_from);
     m_sets = m_pressed >= 0;
@@ -194,60 +184,54 @@ bool PinTool<Dim>::setPin() {
 
 /// Widens a single point before it rotates or scales: its disc gets the angle that the shape has there before
 /// it is rotated on.
-template <int Dim>
-bool PinTool<Dim>::canUse(const Part& part) {
+bool PinTool::canUse(const Part& part) {
     const int handle = session().singleHandle();
-    if (part.kind == Grip::Kind::Move || m_gizmo.canTurn() || !holdsPoint<Dim>(session(), handle))
-        return true;
-    const Vec<Dim> point = m_gizmo.centre();
+    if (part.kind == Grip::Kind::Move || m_gizmo->canTurn() || !holdsPoint(session(), handle)) return true;
+    const Vec3 point = m_gizmo->centre();
     session().document().beginStep();
-    m_sets = Dim == 2 && part.kind == Grip::Kind::Turn ? widenTurned(session(), handle)
-                                                       : widenPoint<Dim>(session(), handle);
+    m_sets = view().dimension() == 2 && part.kind == Grip::Kind::Turn ? widenTurned(session(), handle)
+                                                                      : widenPoint(session(), handle);
     if (!m_sets) session().document().endStep();
-    m_gizmo.place(point, m_sets);  // not at the mean of the disc's vertices
+    m_gizmo->place(point, m_sets);  // not at the mean of the disc's vertices
     return m_sets;
 }
 
-template <int Dim>
-void PinTool<Dim>::beginDrag(const Part& part) {
-    m_gizmo.begin(part, surface(), m_from);
+void PinTool::beginDrag(const Part& part) {
+    m_gizmo->begin(part, view(), m_from);
     m_part = part;
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
+    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     m_gesture = Gesture::Drag;
     if (!session().isDragging()) finishDrag();
 }
 
-template <int Dim>
-void PinTool<Dim>::drag(bool snaps) {
-    const bool isFree = m_gizmo.part().kind == Grip::Kind::Move && m_gizmo.part().axis < 0;
-    m_amount = m_gizmo.drag(surface(), reached(snaps && isFree), snaps);
-    if (!m_typed.isEmpty()) m_amount = m_gizmo.typed(m_typed.value(), surface());
+void PinTool::drag(bool snaps) {
+    const bool isFree = m_gizmo->part().kind == Grip::Kind::Move && m_gizmo->part().axis < 0;
+    m_amount = m_gizmo->drag(view(), reached(snaps && isFree), snaps);
+    if (!m_typed.isEmpty()) m_amount = m_gizmo->typed(m_typed.value(), view());
     session().dragBy(m_amount, m_seconds);
 }
 
 /// Restarts the gesture from its beginning along another axis.
-template <int Dim>
-void PinTool<Dim>::lock(int axis) {
-    Part part = m_gizmo.part();
+void PinTool::lock(int axis) {
+    Part part = m_gizmo->part();
     part.axis = part.axis == axis ? -1 : axis;
     part.plane = false;
-    m_gizmo.begin(part, surface(), m_from);
+    m_gizmo->begin(part, view(), m_from);
     m_part = part;
     session().cancelDrag();  // drops the path so far
-    session().beginDrag(m_gizmo.grip(surface()), m_with & Qt::ControlModifier);
+    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     drag();
 }
 
-template <int Dim>
-void PinTool<Dim>::finishDrag() {
+void PinTool::finishDrag() {
     m_gesture = Gesture::None;
     m_part.reset();
-    const double pixel = surface().pixelSize(m_gizmo.centre());
+    const double pixel = view().pixelSize(m_gizmo->centre());
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
         session().endDragStraight();
-    else if (m_gizmo.part().kind == Grip::Kind::Move)
+    else if (m_gizmo->part().kind == Grip::Kind::Move)
         session().endDrag(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
     else
         session().endDrag(kTurnDetail);
@@ -255,15 +239,13 @@ void PinTool<Dim>::finishDrag() {
 }
 
 /// Returns the distance from the pin's centre to the pointer in domain units.
-template <int Dim>
-double PinTool<Dim>::widenedTo(const QPointF& at) const {
-    for (const auto& pin : session().template pins<Dim>())
-        if (pin.handle == m_pressed) return (acrossTheScreen(surface(), pin.centre, at) - pin.centre).norm();
+double PinTool::widenedTo(const QPointF& at) const {
+    for (const auto& pin : session().pins())
+        if (pin.handle == m_pressed) return (acrossTheScreen(view(), pin.centre, at) - pin.centre).norm();
     return 0;
 }
 
-template <int Dim>
-void PinTool<Dim>::release(const QMouseEvent& event) {
+void PinTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return;
     takePointer(event);
     if (m_gesture == Gesture::Drag) {
@@ -274,20 +256,19 @@ void PinTool<Dim>::release(const QMouseEvent& event) {
     if (gesture == Gesture::Pressed && m_leaves) session().selection().toggle(m_pressed);
     if (gesture == Gesture::Curve) m_curve.finish();
     if (gesture == Gesture::OnCurve) m_curve.choose(-1);
-    if (gesture == Gesture::Widen) widenPin<Dim>(session(), m_pressed, widenedTo(m_at));
+    if (gesture == Gesture::Widen) widenPin(session(), m_pressed, widenedTo(m_at));
     m_outline.endAt(m_at);
     if (gesture == Gesture::Marquee) selectInside(event.modifiers());
     if (gesture == Gesture::Pressed && m_pressed < 0 && !m_part)
         clickAt(m_at, event.modifiers() & Qt::ShiftModifier);
     hover();
-    surface().redraw();
+    view().redraw();
 }
 
 /// Selects what is under the pointer, or adds a pin.
-template <int Dim>
-void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
+void PinTool::clickAt(const QPointF& at, bool extend) {
     const int handle = handleAt(at);
-    const int found = handle >= 0 ? handle : wayUnder<Dim>(surface(), at);
+    const int found = handle >= 0 ? handle : wayUnder(view(), at);
     if (found >= 0) return select(found, extend);
     const int added = m_adds ? addPin(at) : -1;
     if (added < 0 && !extend) session().selection().clear();
@@ -295,72 +276,64 @@ void PinTool<Dim>::clickAt(const QPointF& at, bool extend) {
 
 /// Adds a pin at the visible place, or at the nearest corner of its cell if that is visible. Returns −1 and
 /// emits a notice outside the shape.
-template <int Dim>
-int PinTool<Dim>::addPin(const QPointF& at) {
-    auto touched = surface().touch(at);
-    if (!touched) return session().template addPin<Dim>(std::optional<Location<Dim>>());
-    const bool snaps = m_choice.now().snaps && !session().template frame<Dim>()->built->hidesVertices();
+int PinTool::addPin(const QPointF& at) {
+    auto touched = view().touch(at);
+    if (!touched) return session().addPin(std::optional<Place>());
+    const bool snaps = m_choice.now().snaps && !frame()->hidesVertices();
     Eigen::Index corner = 0;
     touched->place.weights.maxCoeff(&corner);
     if (snaps) touched->place.weights.setUnit(corner);
-    return session().template addPin<Dim>(std::optional(touched->place));
+    return session().addPin(std::optional(touched->place));
 }
 
 /// Returns whether the mark or any point of the pin is inside; in a solid only visible ones, unless through.
-template <int Dim>
-bool PinTool<Dim>::isTaken(const PinView<Dim>& pin) const {
+bool PinTool::isTaken(const PinView& pin) const {
     const bool many = pin.points.size() > 1;
-    if (many && m_outline.contains(surface().toWidget(pin.centre))) return true;  // the mark is never hidden
+    if (many && m_outline.contains(view().onScreen(pin.centre))) return true;  // the mark is never hidden
     for (std::size_t i = 0; i < pin.points.size(); ++i) {
-        const bool isSeen = Dim == 2 || takesHidden() || !isCovered<Dim>(surface(), pin, i);
-        if (isSeen && m_outline.contains(surface().toWidget(pin.points[i]))) return true;
+        const bool isSeen = view().dimension() == 2 || takesHidden() || !isCovered(view(), pin, i);
+        if (isSeen && m_outline.contains(view().onScreen(pin.points[i]))) return true;
     }
     return false;
 }
 
-template <int Dim>
-void PinTool<Dim>::selectInside(Qt::KeyboardModifiers modifiers) {
+void PinTool::selectInside(Qt::KeyboardModifiers modifiers) {
     std::vector<int> handles;
-    for (const auto& pin : session().template pins<Dim>())
+    for (const auto& pin : session().pins())
         if (isTaken(pin)) handles.push_back(pin.handle);
     session().selection().pick(handles, pickBy(modifiers));
 }
 
-template <int Dim>
-void PinTool<Dim>::doubleClick(const QMouseEvent& event) {
+void PinTool::doubleClick(const QMouseEvent& event) {
     const QPointF at = event.position();
     const bool isTaken = curvePointAt(at) > 0 || pinAt(at) >= 0 || partAt(at);
     if (event.button() != Qt::LeftButton || isTaken || !m_curve.insertAt(at)) press(event);
 }
 
-template <int Dim>
-bool PinTool<Dim>::ownsKey(const QKeyEvent& event) const {
+bool PinTool::ownsKey(const QKeyEvent& event) const {
     if (m_gesture == Gesture::Drag) return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     return event.key() == Qt::Key_Delete && !event.modifiers() && m_curve.chosen() > 0;
 }
 
-template <int Dim>
-MenuPlace PinTool<Dim>::menuAt(const QPointF& at) {
+MenuPlace PinTool::menuAt(const QPointF& at) {
     if (m_gesture != Gesture::None) return MenuPlace::None;
     if (pinAt(at) < 0 && m_curve.pointAtForMenu(at)) return MenuPlace::Curve;
     const int handle = handleAt(at);
-    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder<Dim>(surface(), at));
+    return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder(view(), at));
 }
 
 /// The pins that are selected; without any, a cross that Enter clicks at.
-template <int Dim>
-bool PinTool<Dim>::nudge(const QKeyEvent& event) {
+bool PinTool::nudge(const QKeyEvent& event) {
     if (session().selection().isEmpty())
-        return m_cross.take<Dim>(event, surface(), [this](const QPointF& at) { clickAt(at, false); });
+        return m_cross.take(event, view(), [this](const QPointF& at) { clickAt(at, false); });
     m_cross.hide();
     placeGizmo();
     const auto by = arrowOf(event);
-    if (by) session().template nudgeSelected<Dim>(nudgeOf(surface(), m_gizmo.centre(), *by));
+    if (by) session().nudgeSelected(nudgeOf(view(), m_gizmo->centre(), *by));
     return by.has_value();
 }
 
-template <int Dim>
-bool PinTool<Dim>::key(const QKeyEvent& event) {
+bool PinTool::key(const QKeyEvent& event) {
     if (m_gesture == Gesture::Drag && event.key() != Qt::Key_Escape) return keyInDrag(event);
     if (m_gesture == Gesture::None && ownsKey(event)) {
         m_curve.removePoint();
@@ -371,28 +344,26 @@ bool PinTool<Dim>::key(const QKeyEvent& event) {
     if (!sizes && event.key() != Qt::Key_Escape) return m_gesture == Gesture::None && nudge(event);
     if (!sizes && m_gesture == Gesture::None) session().selection().clear();
     if (!sizes) cancel();
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-bool PinTool<Dim>::keyInDrag(const QKeyEvent& event) {
+bool PinTool::keyInDrag(const QKeyEvent& event) {
     const int axis = event.key() - Qt::Key_X;
-    const bool hasAxes = Dim == 3 || m_gizmo.part().kind == Grip::Kind::Move;
+    const bool hasAxes = view().dimension() == 3 || m_gizmo->part().kind == Grip::Kind::Move;
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
         finishDrag();
-    else if (hasAxes && axis >= 0 && axis < Dim)
+    else if (hasAxes && axis >= 0 && axis < view().dimension())
         lock(axis);
     else if (m_typed.take(event))
         drag();
     else
         return false;
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
-template <int Dim>
-void PinTool<Dim>::cancel() {
+void PinTool::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     m_part.reset();
     m_typed.clear();
@@ -400,8 +371,5 @@ void PinTool<Dim>::cancel() {
     if (std::exchange(m_sets, false)) session().document().dropStep();
     m_curve.cancel();
 }
-
-template class PinTool<2>;
-template class PinTool<3>;
 
 }  // namespace wend

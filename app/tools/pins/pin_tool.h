@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/tools/gizmo.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/pins/curve_editor.h"
-#include "app/tools/pins/gizmo.h"
 #include "app/tools/pins/pin_picking.h"
 #include "app/tools/pins/typed_number.h"
 #include "app/tools/tool_kind.h"
@@ -12,12 +12,11 @@ namespace wend {
 
 /// Selects, drags, rotates, scales and widens pins, with a ring in the plane and a manipulator in space. With
 /// `adds`, a click on the bare shape adds a pin, and a drag from there moves it.
-template <int Dim>
-class PinTool : public ShapeTool<Dim> {
+class PinTool : public ShapeTool<> {
   public:
     /// Shape of the marquee beside pins.
     using Outline = DrawnOutline::Kind;
-    PinTool(SurfaceOf<Dim>& view, PinChoice& choice, bool adds);
+    PinTool(ShapeView& view, PinChoice& choice, bool adds);
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -48,12 +47,10 @@ class PinTool : public ShapeTool<Dim> {
 
   private:
     using Part = GizmoPart;
-    using ShapeTool<Dim>::surface;
-    using ShapeTool<Dim>::session;
     enum class Gesture { None, Pressed, Drag, Widen, Marquee, Curve, OnCurve };
 
     bool takesHidden() const { return m_choice.now().through; }
-    int pinAt(const QPointF& widget) const { return markUnder<Dim>(surface(), widget, takesHidden()); }
+    int pinAt(const QPointF& widget) const { return markUnder(view(), widget, takesHidden()); }
     int curvePointAt(const QPointF& at) const;
     std::optional<Part> partAt(const QPointF& at) const;
     std::optional<Part> litPart() const;
@@ -79,7 +76,7 @@ class PinTool : public ShapeTool<Dim> {
     void clickAt(const QPointF& at, bool extend);
     int addPin(const QPointF& at);
     double widenedTo(const QPointF& at) const;
-    bool isTaken(const PinView<Dim>& pin) const;
+    bool isTaken(const PinView& pin) const;
     void selectInside(Qt::KeyboardModifiers modifiers);
     bool nudge(const QKeyEvent& event);
     bool keyInDrag(const QKeyEvent& event);
@@ -88,8 +85,8 @@ class PinTool : public ShapeTool<Dim> {
     static QString pointHint(Grip::Kind kind);
     void paintWidened(QPainter& painter) const;
 
-    mutable Gizmo<Dim> m_gizmo;  // where the selection was last seen
-    CurveEditor<Dim> m_curve;
+    std::unique_ptr<Gizmo> m_gizmo;  // where the selection was last seen
+    CurveEditor m_curve;
     KeyCross m_cross;
     DrawnOutline m_outline;
     PinChoice& m_choice;
@@ -107,9 +104,6 @@ class PinTool : public ShapeTool<Dim> {
     TypedNumber m_typed;
     QObject m_listener;  // to the choice
 };
-
-extern template class PinTool<2>;
-extern template class PinTool<3>;
 
 ToolKind pinTool();
 ToolKind selectTool();

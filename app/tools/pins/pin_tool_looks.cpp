@@ -8,15 +8,14 @@
 
 namespace wend {
 
-template <int Dim>
-QString PinTool<Dim>::hint() const {
+QString PinTool::hint() const {
     const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
     if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
     if (isRecording(session())) return recordingHint();
     if (m_gesture == Gesture::Widen)
         return QCoreApplication::translate("PinTool", "Drag as far as the pin should hold; Esc cancels");
-    const bool moves = m_gesture == Gesture::Drag && m_gizmo.part().kind == Grip::Kind::Move;
-    if (Dim == 3 && m_gesture == Gesture::Drag)
+    const bool moves = m_gesture == Gesture::Drag && m_gizmo->part().kind == Grip::Kind::Move;
+    if (view().dimension() == 3 && m_gesture == Gesture::Drag)
         return QCoreApplication::translate("PinTool",
                                            "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
                                            "amount, Esc puts the shape back");
@@ -24,24 +23,23 @@ QString PinTool<Dim>::hint() const {
         return QCoreApplication::translate(
             "PinTool",
             "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back");
-    if (m_part) return m_gizmo.hint();
+    if (m_part) return m_gizmo->hint();
     const bool isPlaced = waits && placeGizmo();
-    if (isPlaced && m_gizmo.anywhere()) return gripHint();
+    if (isPlaced && m_gizmo->anywhere()) return gripHint();
     if (m_hovered >= 0)
         return QCoreApplication::translate(
             "PinTool",
             "Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, "
             "Shift-click to select more");
     if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
-    return isPlaced && m_over && m_gizmo.turnsPointAt(surface(), m_at) ? pointHint(Grip::Kind::Turn)
-                                                                       : besideHint();
+    return isPlaced && m_over && m_gizmo->turnsPointAt(view(), m_at) ? pointHint(Grip::Kind::Turn)
+                                                                     : besideHint();
 }
 
 /// Returns the hint of a rotating or scaling drag.
-template <int Dim>
-QString PinTool<Dim>::gripHint() const {
-    const Grip::Kind kind = m_gizmo.anywhere()->kind;
-    if (!m_gizmo.canTurn()) return pointHint(kind);
+QString PinTool::gripHint() const {
+    const Grip::Kind kind = m_gizmo->anywhere()->kind;
+    if (!m_gizmo->canTurn()) return pointHint(kind);
     return kind == Grip::Kind::Turn
                ? QCoreApplication::translate(
                      "PinTool",
@@ -54,8 +52,7 @@ QString PinTool<Dim>::gripHint() const {
 }
 
 /// Returns the hint of a drag that rotates or scales a single point.
-template <int Dim>
-QString PinTool<Dim>::pointHint(Grip::Kind kind) {
+QString PinTool::pointHint(Grip::Kind kind) {
     return kind == Grip::Kind::Grow
                ? QCoreApplication::translate("PinTool", "Drag to scale: the point becomes a small circle")
                : QCoreApplication::translate(
@@ -63,8 +60,7 @@ QString PinTool<Dim>::pointHint(Grip::Kind kind) {
 }
 
 /// Returns the hint for a press outside all pins.
-template <int Dim>
-QString PinTool<Dim>::besideHint() const {
+QString PinTool::besideHint() const {
     if (m_outline.kind() == Outline::Lasso)
         return m_adds
                    ? QCoreApplication::translate("PinTool",
@@ -88,16 +84,14 @@ QString PinTool<Dim>::besideHint() const {
                                              "away; drag or arrow keys move");
 }
 
-template <int Dim>
-QCursor PinTool<Dim>::cursor() const {
+QCursor PinTool::cursor() const {
     if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
     if (m_gesture == Gesture::Widen) return Qt::SizeAllCursor;
     if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
     return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
 }
 
-template <int Dim>
-void PinTool<Dim>::paint(QPainter& painter) const {
+void PinTool::paint(QPainter& painter) const {
     m_curve.paint(painter, m_at);
     paintRecording(painter, session(), m_at + QPointF(16, -34));
     if (session().selection().isEmpty()) m_cross.paint(painter);
@@ -106,37 +100,23 @@ void PinTool<Dim>::paint(QPainter& painter) const {
     const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
     const bool isBeside = waits && m_over && m_hovered < 0 && !m_part;
     if (isBeside && m_outline.kind() == Outline::Brush) m_outline.paintBrush(painter, m_at);
-    if (waits && placeGizmo()) m_gizmo.paint(painter, surface(), litPart());
+    if (waits && placeGizmo()) m_gizmo->paint(painter, view(), litPart());
     if (m_gesture != Gesture::Drag) return;
-    m_gizmo.paintDragged(painter, surface(), m_amount);
-    const bool isPlain = Dim == 2 && m_part == Part{} && m_typed.isEmpty();
-    if (!isPlain) paintLabel(painter, m_at + QPointF(16, 16), m_gizmo.text(m_amount));
+    m_gizmo->paintDragged(painter, view(), m_amount);
+    const bool isPlain = view().dimension() == 2 && m_part == Part{} && m_typed.isEmpty();
+    if (!isPlain) paintLabel(painter, m_at + QPointF(16, 16), m_gizmo->text(m_amount, view().dimension()));
 }
 
-template <int Dim>
-void PinTool<Dim>::paintWidened(QPainter& painter) const {
-    for (const auto& pin : session().template pins<Dim>()) {
+void PinTool::paintWidened(QPainter& painter) const {
+    for (const auto& pin : session().pins()) {
         if (pin.handle != m_pressed) continue;
-        const QPointF centre = surface().toWidget(pin.centre);
+        const QPointF centre = view().onScreen(pin.centre);
         painter.setPen(QPen(QColor(kAccent), marked(2)));
         painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
         const double radius = QLineF(centre, m_at).length();
         painter.drawEllipse(centre, radius, radius);
     }
 }
-
-#define WEND_INSTANTIATE(Dim)                             \
-    template QString PinTool<Dim>::hint() const;          \
-    template QString PinTool<Dim>::gripHint() const;      \
-    template QString PinTool<Dim>::besideHint() const;    \
-    template QString PinTool<Dim>::pointHint(Grip::Kind); \
-    template QCursor PinTool<Dim>::cursor() const;        \
-    template void PinTool<Dim>::paint(QPainter&) const;   \
-    template void PinTool<Dim>::paintWidened(QPainter&) const
-
-WEND_INSTANTIATE(2);
-WEND_INSTANTIATE(3);
-#undef WEND_INSTANTIATE
 
 ToolKind pinTool() {
     return toolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),

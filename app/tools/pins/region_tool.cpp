@@ -28,25 +28,24 @@ QString RegionTool::hint() const {
 
 void RegionTool::press(const QMouseEvent& event) {
     m_from = m_at = event.position();
-    const SolidHit hit = surface().pick(m_at);
+    const SolidHit hit = view().pick(m_at);
     const auto frame = session().frame<3>();
     m_active = hit.cell >= 0 && frame;
     if (!m_active) return;
     m_centre = hit.point;
-    m_restCentre =
-        positionOf<3>(locationIn<3>(*frame, hit.cell, hit.point), *frame->rest, frame->rest->points);
-    m_turn = cellRotation(*frame, hit.cell);
+    m_restCentre = frame->restAt(frame->placeIn(hit.cell, hit.point));
+    m_turn = frame->rotationOf(hit.cell);
 }
 
 void RegionTool::move(const QMouseEvent& event) {
     m_at = event.position();
-    surface().redraw();
+    view().redraw();
 }
 
 /// Returns the region around the place in the rest shape, with the size drawn in the pose.
 Region<3> RegionTool::region() const {
-    const Vec<3> way = m_turn.transpose() * (acrossTheScreen(surface(), m_centre, m_at) -
-                                             acrossTheScreen(surface(), m_centre, m_from));
+    const Vec3 way = m_turn.transpose() *
+                     (acrossTheScreen(view(), m_centre, m_at) - acrossTheScreen(view(), m_centre, m_from));
     const double radius = way.norm();
     if (m_shape == Shape::Ball) return Ball<3>{m_restCentre, radius};
     if (m_shape == Shape::Side) return HalfSpace<3>{m_restCentre, way.normalized()};
@@ -55,24 +54,24 @@ Region<3> RegionTool::region() const {
 
 void RegionTool::release(const QMouseEvent& event) {
     m_at = event.position();
-    if (std::exchange(m_active, false) && session().frame<3>() && !isClick()) take(event.modifiers());
-    surface().redraw();
+    if (std::exchange(m_active, false) && frame() && !isClick()) take(event.modifiers());
+    view().redraw();
 }
 
 void RegionTool::take(Qt::KeyboardModifiers with) {
-    const auto vertices = verticesInside<3>(region(), *session().frame<3>()->rest);
+    const auto vertices = frame()->verticesInside(region());
     if (vertices.empty())
         return session().notify(
             QCoreApplication::translate("RegionTool", "There is no vertex in this region."));
-    if (changePart<3>(surface(), vertices, with)) return;
-    session().addHandle<3>(region(), QCoreApplication::translate("RegionTool", "Region").toStdString());
+    if (changePart(view(), vertices, with)) return;
+    session().addHandle(region(), QCoreApplication::translate("RegionTool", "Region").toStdString());
     m_done();
 }
 
 bool RegionTool::key(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape) return false;
     if (!std::exchange(m_active, false)) session().selection().clear();
-    surface().redraw();
+    view().redraw();
     return true;
 }
 
@@ -86,10 +85,10 @@ void RegionTool::paint(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     for (const auto& line : regionOutline(drawn, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
         QPolygonF screen;
-        for (const Vec<3>& p : line) screen << surface().toWidget(m_centre + m_turn * (p - m_restCentre));
+        for (const Vec3& p : line) screen << view().onScreen(m_centre + m_turn * (p - m_restCentre));
         painter.drawPolyline(screen);
     }
-    paintCaught(painter, surface(), verticesInside<3>(drawn, *frame->rest), m_at);
+    paintCaught(painter, view(), frame->verticesInside(drawn), m_at);
 }
 
 ToolKind grabBallTool() {

@@ -9,12 +9,12 @@ namespace wend {
 
 /// Makes a handle of a region of a solid: a ball or block around a point of the surface, or the half-space
 /// behind it. Shift adds its contents to the selected handle, Ctrl subtracts them.
-class RegionTool : public ShapeTool<3> {
+class RegionTool : public ShapeTool<SolidShapeView> {
   public:
     enum class Shape { Ball, Block, Side };
     /// `done`: a region was taken hold of, and is there to be moved.
-    RegionTool(SolidSurface& surface, Shape shape, std::function<void()> done)
-        : ShapeTool<3>(surface), m_shape(shape), m_done(std::move(done)) {}
+    RegionTool(SolidShapeView& view, Shape shape, std::function<void()> done)
+        : ShapeTool<SolidShapeView>(view), m_shape(shape), m_done(std::move(done)) {}
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }

@@ -15,6 +15,8 @@ namespace wend {
 namespace {
 
 constexpr double kFitMargin = 36;
+// fraction of the shape's size within which a visible point is the place itself
+constexpr double kSamePlace = 1e-3;
 constexpr int kRefineAfter = 140;  // milliseconds
 constexpr int kRefineInDrag = 400;
 constexpr int kMarksEvery = 20;       // without a frame
@@ -87,13 +89,13 @@ std::vector<bool> ShapeCanvas::untouchable(const SimplicialMesh<2>& rest) const 
 }
 
 /// Returns the visible one of overlapping cells.
-std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
+std::optional<Touch> ShapeCanvas::touch(const QPointF& widget) const {
     const auto frame = m_session.frame<2>();
     if (!frame) return {};
     const Vec<2> p = toShape(widget);
     const std::vector<float>& depth = *depths();
     const std::vector<bool> closed = untouchable(*frame->rest);
-    std::optional<Touch<2>> best;
+    std::optional<Touch> best;
     for (int c = 0; c < frame->rest->cellCount(); ++c) {
         if (!closed.empty() && closed[static_cast<std::size_t>(c)]) continue;
         const Cell<2>& cell = frame->rest->cells[static_cast<std::size_t>(c)];
@@ -105,13 +107,34 @@ std::optional<Touch<2>> ShapeCanvas::touch(const QPointF& widget) const {
         const bool isBelow =
             best && !depth.empty() &&
             depth[static_cast<std::size_t>(c)] < depth[static_cast<std::size_t>(best->place.cell)];
-        if (!isBelow) best = Touch<2>{{c, {1 - by.sum(), by.x(), by.y()}}, p};
+        if (!isBelow) best = Touch{{c, {1 - by.sum(), by.x(), by.y(), 0}}, inSpace(p)};
     }
     return best;
 }
 
-void ShapeCanvas::showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) {
-    m_preview.set(m_session.frame<2>(), std::move(painted), lasts);
+/// Returns whether another place of the rest shape is visible there.
+bool ShapeCanvas::isHidden(const Place& place, const Vec3& p) const {
+    const FramePtr frame = m_session.frame();
+    const auto seen = touch(onScreen(p));
+    return frame && seen &&
+           (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
+}
+
+std::optional<Vec3> ShapeCanvas::placeOf(int cell) const {
+    const FramePtr frame = m_session.frame();
+    return frame ? std::optional(frame->centreOf(cell)) : std::nullopt;
+}
+
+std::vector<VertexMark> ShapeCanvas::marksOf(const std::vector<int>& vertices) const {
+    const FramePtr frame = m_session.frame();
+    std::vector<VertexMark> marks;
+    for (const int v : vertices)
+        if (frame && v < frame->vertices) marks.push_back({frame->vertex(v), false});
+    return marks;
+}
+
+void ShapeCanvas::showMaterial(const FramePtr& painted, bool lasts) {
+    m_preview.set(m_session.frame<2>(), posed<2>(painted), lasts);
     render();
 }
 
@@ -171,7 +194,7 @@ std::shared_ptr<const ScreenPicture> ShapeCanvas::pictureOf(const PosedPtr<2>& f
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
-    const auto frame = seen<2>(m_viewport.looks(), shownFrame());
+    const auto frame = seen<2>(m_viewport.looks(), posed<2>(shownFrame()));
     return frame ? frame : m_unbent;
 }
 
@@ -337,7 +360,7 @@ void ShapeCanvas::zoomBy(double factor) {
 void ShapeCanvas::showWorst() {
     const auto frame = m_session.frame<2>();
     const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
-    if (cell >= 0) showPlace(centreOf<2>(*frame, cell));
+    if (cell >= 0) showPlace(inPlane(frame->centreOf(cell)));
 }
 
 void ShapeCanvas::showPlace(const Vec<2>& at) {

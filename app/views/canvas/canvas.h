@@ -13,7 +13,7 @@
 namespace wend {
 
 /// The shape on the screen: navigation and drawing. A plain widget: no OpenGL is needed.
-class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
+class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::View {
     Q_OBJECT
 
   public:
@@ -40,14 +40,17 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     /// Returns how another frame is drawn like this; nothing before there is a picture for it.
     std::optional<RenderRequest> smallRequest(const PosedPtr<2>& frame, const QSize& size) const;
 
-    // ToolSurface
+    // PictureShapeView
     ShapeSession& session() override { return m_session; }
     Vec<2> toShape(const QPointF& widget) const override { return m_view.toShape(widget); }
     QPointF toWidget(const Vec<2>& shape) const override { return m_view.toWidget(shape); }
-    double pixelSize(const Vec<2>&) const override { return 1 / m_view.zoom(); }
-    std::optional<Touch<2>> touch(const QPointF& widget) const override;
-    PosedPtr<2> shownFrame() const override { return m_preview.over(m_session.frame<2>()); }
-    void showMaterial(std::shared_ptr<const Material<2>> painted, bool lasts) override;
+    double pixelSize(const Vec3&) const override { return 1 / m_view.zoom(); }
+    std::optional<Touch> touch(const QPointF& widget) const override;
+    bool isHidden(const Place& place, const Vec3& p) const override;
+    std::optional<Vec3> placeOf(int cell) const override;
+    std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
+    FramePtr shownFrame() const override { return m_preview.over(m_session.frame<2>()); }
+    void showMaterial(const FramePtr& painted, bool lasts) override;
     void redraw() override;
 
     // Viewport::View
@@ -119,7 +122,7 @@ class ShapeCanvas : public QWidget, public ToolSurface, public Viewport::View {
     std::shared_ptr<const PoseFaults<2>> m_faults;
     PosedPtr<2> m_unbent;  // the original picture, before the first mesh
     MaterialPreview<2> m_preview;
-    LayerLines<2> m_layer;
+    LayerLines m_layer;
     RegionLines m_detailRegions, m_depthRegions;
     OnionSkin<2> m_onion;
     ViewTransform m_view;

@@ -34,7 +34,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     if (looks.hidden || !frame) return;
     const Theme theme = Theme::of(palette());
     const Measure measure = looks.colours.measure;
-    ShapePainter<2> over(painter, *this, theme);
+    ShapePainter over(painter, *this, theme);
     if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (looks.map && m_faults && !looks.rest && !looks.standIn)
         paintFaults(painter, *this, *frame, *m_faults);

@@ -46,12 +46,4 @@ PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
     return frame && looks.rest ? atRest<Dim>(frame) : frame;
 }
 
-/// Returns the middle of a cell in a pose.
-template <int Dim>
-Vec<Dim> centreOf(const PosedFrame<Dim>& frame, int cell) {
-    Vec<Dim> centre = Vec<Dim>::Zero();
-    for (const int v : frame.rest->cells[cell]) centre += frame.pose.col(v) / (Dim + 1);
-    return centre;
-}
-
 }  // namespace wend

@@ -30,26 +30,17 @@ Axis axisOf(int dimension, int k) {
     return {kSpaceAxes[k], 26};
 }
 
-/// Returns whether the mark represents more than a point.
-bool isArea(const PinView<2>& view) {
-    return view.region;
-}
-bool isArea(const PinView<3>& view) {
-    return view.points.size() > 1;
-}
-
 }  // namespace
 
-template <int Dim>
-QPolygonF ShapePainter<Dim>::toWidget(const std::vector<Vec<Dim>>& points) const {
+QPolygonF ShapePainter::onScreen(const std::vector<Vec3>& points) const {
     QPolygonF line;
-    for (const Vec<Dim>& p : points) line << m_surface.toWidget(p);
+    for (const Vec3& p : points) line << m_view.onScreen(p);
     return line;
 }
 
 /// Draws the moving frames of a curve from its actual start, without overlaps.
 template <int Dim>
-void ShapePainter<Dim>::frames(const Pin& handle, const Vec<Dim>& start) {
+void ShapePainter::frames(const Pin& handle, const Vec<Dim>& start) {
     Vec<Dim> from = start;
     for (const PinMotion& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
@@ -57,28 +48,28 @@ void ShapePainter<Dim>::frames(const Pin& handle, const Vec<Dim>& start) {
         std::optional<QPointF> last;
         for (int i = 0; curve && curve->frame != FrameKind::None && i < kFramesAlongCurve; ++i) {
             const double t = motion.start + (motion.end - motion.start) * i / (kFramesAlongCurve - 1);
-            const Vec<Dim> at = trajectory.at(t).position(from);
-            const QPointF seen = m_surface.toWidget(at);
+            const Vec3 at = inSpace(trajectory.at(t).position(from));
+            const QPointF seen = m_view.onScreen(at);
             if (last && QLineF(*last, seen).length() < marked(kFramesApart)) continue;
             last = seen;
-            frame(at, trajectory.frame(t));
+            Mat<3> axes = Mat<3>::Identity();
+            axes.topLeftCorner<Dim, Dim>() = trajectory.frame(t);
+            frame(at, axes);
         }
         from = trajectory.at(motion.end).position(from);
     }
 }
 
-template <int Dim>
-void ShapePainter<Dim>::frame(const Vec<Dim>& at, const Mat<Dim>& axes) {
-    const double pixel = marked(m_surface.pixelSize(at));
-    for (int k = 0; k < Dim; ++k) {
-        const auto [colour, size] = axisOf(Dim, k);
-        m_marks.line(toWidget({at, at + size * pixel * axes.col(k)}), colour, 1.75, Qt::SolidLine);
+void ShapePainter::frame(const Vec3& at, const Mat<3>& axes) {
+    const double pixel = marked(m_view.pixelSize(at));
+    for (int k = 0; k < m_view.dimension(); ++k) {
+        const auto [colour, size] = axisOf(m_view.dimension(), k);
+        m_marks.line(onScreen({at, at + size * pixel * axes.col(k)}), colour, 1.75, Qt::SolidLine);
     }
 }
 
-template <int Dim>
-void ShapePainter<Dim>::paths(int hovered) {
-    if (session().document().dimension() != Dim) return;
+void ShapePainter::paths(int hovered) {
+    if (!isOfDocument()) return;
     m_marks.setQuick(session().isDragging());
     const double time = session().playback().time();
     const auto& handles = session().document().design().handles;
@@ -86,30 +77,31 @@ void ShapePainter<Dim>::paths(int hovered) {
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
             if (handles[h].motions.empty() || session().selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= time || handles[h].traits.hidden) continue;  // released
-            const auto starts = shownStarts<Dim>(session().template pathStarts<Dim>(h));
+            const auto starts = shownStarts(session().pathStarts(h));
             if (starts.empty()) continue;
-            for (const PinPath<Dim>& one : pinPaths<Dim>(handles[h], starts))
-                m_marks.path(toWidget(one.points), one.times, selected, time, h == hovered);
-            if (selected) frames(handles[h], starts.front());
+            for (const PinPath& one : pinPaths(handles[h], starts, m_view.dimension()))
+                m_marks.path(onScreen(one.points), one.times, selected, time, h == hovered);
+            if (selected)
+                isFlat() ? frames<2>(handles[h], inPlane(starts.front()))
+                         : frames<3>(handles[h], starts.front());
         }
 }
 
-template <>
-void ShapePainter<2>::spots(const PinView<2>& view) {
-    const bool selected = session().selection().contains(view.handle);
-    const QPolygonF places = toWidget(view.points);
+/// Draws the points that a handle of a picture holds.
+void ShapePainter::spots(const PinView& pin) {
+    const bool selected = session().selection().contains(pin.handle);
+    const QPolygonF places = onScreen(pin.points);
     m_marks.spots({places.begin(), places.end()}, selected ? m_theme.accent : kInk, 3.2, QPen(Qt::white, 1));
 }
 
-/// Draws the vertices that a handle holds where they are visible; of a selected one also hidden ones,
-/// faintly.
-template <>
-void ShapePainter<3>::spots(const PinView<3>& view) {
-    const bool selected = session().selection().contains(view.handle);
+/// Draws the vertices that a handle of a solid holds where they are visible; of a selected one also hidden
+/// ones, faintly.
+void ShapePainter::seenSpots(const PinView& pin) {
+    const bool selected = session().selection().contains(pin.handle);
     const double r = selected ? 2.3 : 1.7;
     std::vector<QPointF> seen, hidden;
-    for (const VertexMark& mark : m_surface.marksOf(session().verticesOf(view.handle)))
-        (mark.hidden ? hidden : seen).push_back(m_surface.toWidget(mark.at));
+    for (const VertexMark& mark : m_view.marksOf(session().verticesOf(pin.handle)))
+        (mark.hidden ? hidden : seen).push_back(m_view.onScreen(mark.at));
     QColor fill = selected ? m_theme.accent : kInk;
     fill.setAlpha(70);
     if (selected) m_marks.spots(hidden, fill, r, Qt::NoPen);
@@ -117,14 +109,12 @@ void ShapePainter<3>::spots(const PinView<3>& view) {
     m_marks.spots(seen, fill, r, selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
 }
 
-/// A part of the shape that is held as a whole: its outline veils nothing until it is pointed at.
-template <>
-void ShapePainter<2>::region(const PinView<2>& view, bool hovered) {
-    const auto frame = session().frame<2>();
+/// A part of a picture that is held as a whole: its outline veils nothing until it is pointed at.
+void ShapePainter::area(const PinView& pin, bool hovered) {
+    const FramePtr frame = session().frame();
     if (!frame) return;
-    const bool selected = session().selection().contains(view.handle);
-    QPolygonF border =
-        toWidget(regionBorder(session().document().design().handles[view.handle], view, *frame));
+    const bool selected = session().selection().contains(pin.handle);
+    QPolygonF border = onScreen(regionBorder(session().document().design().handles[pin.handle], pin, *frame));
     if (border.isEmpty()) return;
     border << border.first();
     if (hovered) {
@@ -138,54 +128,48 @@ void ShapePainter<2>::region(const PinView<2>& view, bool hovered) {
                  selected ? Qt::SolidLine : Qt::CustomDashLine);
 }
 
-/// The outline of a selected handle's region, carried to where its vertices are now.
-template <>
-void ShapePainter<3>::region(const PinView<3>& view, bool) {
+/// The outline of the region of a selected handle of a solid, carried to where its vertices are now.
+void ShapePainter::carriedRegion(const PinView& pin) {
     const auto frame = session().frame<3>();
-    const auto* region = std::get_if<Region<3>>(&session().document().design().handles[view.handle].at);
-    if (!region || !frame || !session().selection().contains(view.handle)) return;
+    const auto* region = std::get_if<Region<3>>(&session().document().design().handles[pin.handle].at);
+    if (!region || !frame || !session().selection().contains(pin.handle)) return;
     const auto& rest = frame->rest->points;
-    std::vector<Vec<3>> held;
-    for (const int v : verticesInside<3>(*region, *frame->rest)) held.push_back(rest.col(v));
-    const auto carry = carryingBetween<3>(held, view.points);
+    std::vector<Vec3> held;
+    for (const int v : frame->verticesInside(*region)) held.push_back(frame->restVertex(v));
+    const auto carry = carryingBetween<3>(held, pin.points);
     for (auto line : regionOutline(*region, rest.rowwise().minCoeff(), rest.rowwise().maxCoeff())) {
-        for (Vec<3>& p : line) p = carry(p);
-        m_marks.line(toWidget(line), m_theme.accent, 1.25, Qt::CustomDashLine);
+        for (Vec3& p : line) p = carry(p);
+        m_marks.line(onScreen(line), m_theme.accent, 1.25, Qt::CustomDashLine);
     }
 }
 
-template <int Dim>
-void ShapePainter<Dim>::pins(int hovered, int named) {
-    if (session().document().dimension() != Dim) return;
-    const auto pins = session().template pins<Dim>();
+void ShapePainter::pins(int hovered, int named) {
+    if (!isOfDocument()) return;
+    const std::vector<PinView> pins = session().pins();
     m_marks.setQuick(session().isDragging());
-    for (const PinView<Dim>& view : pins)
-        if (view.region) region(view, view.handle == hovered);
-    for (const PinView<Dim>& view : pins)
-        if (view.points.size() > 1 && (Dim == 3 || !view.region)) spots(view);
-    PinScene<Dim>{session(),
-                  pins,
-                  hovered,
-                  named,
-                  [this](const Vec<Dim>& p) { return m_surface.toWidget(p); },
-                  [](const PinView<Dim>& view) { return isArea(view); },
-                  [this](const PinView<Dim>& view) { return isMarkCovered<Dim>(m_surface, view); }}
+    for (const PinView& pin : pins)
+        if (pin.region) isFlat() ? area(pin, pin.handle == hovered) : carriedRegion(pin);
+    for (const PinView& pin : pins) {
+        if (pin.points.size() < 2) continue;
+        if (!isFlat()) seenSpots(pin);
+        if (isFlat() && !pin.region) spots(pin);
+    }
+    PinScene{session(),
+             pins,
+             hovered,
+             named,
+             [this](const Vec3& p) { return m_view.onScreen(p); },
+             [this](const PinView& pin) { return isFlat() ? pin.region : pin.points.size() > 1; },
+             [this](const PinView& pin) { return isMarkCovered(m_view, pin); }}
         .paint(m_painter, m_marks);
 }
 
-template <int Dim>
-void ShapePainter<Dim>::groups(const std::vector<GroupMark>& groups) {
-    const auto frame = session().template frame<Dim>();
-    if (!frame) return;
+void ShapePainter::groups(const std::vector<GroupMark>& groups) {
+    if (!session().frame()) return;
     for (const GroupMark& group : groups) {
         std::vector<QPointF> places;
-        if constexpr (Dim == 3) {
-            for (const VertexMark& mark : m_surface.marksOf(group.vertices))
-                if (!mark.hidden) places.push_back(m_surface.toWidget(mark.at));
-        } else {
-            for (const int v : group.vertices)
-                if (v < frame->pose.cols()) places.push_back(m_surface.toWidget(frame->pose.col(v)));
-        }
+        for (const VertexMark& mark : m_view.marksOf(group.vertices))
+            if (!mark.hidden) places.push_back(m_view.onScreen(mark.at));
         QColor fill = group.colour;
         fill.setAlpha(group.chosen ? 255 : 150);
         m_marks.spots(places, fill, group.chosen ? 3.4 : 1.8,
@@ -194,39 +178,34 @@ void ShapePainter<Dim>::groups(const std::vector<GroupMark>& groups) {
 }
 
 /// Draws the points, or an even selection if there are very many.
-template <int Dim>
-void ShapePainter<Dim>::dots(const Points<Dim>& points) {
+void ShapePainter::dots(const Points<3>& points) {
     constexpr Eigen::Index kMost = 20000;
     const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kMost);
     std::vector<QPointF> places;
-    for (Eigen::Index k = 0; k < points.cols(); k += step)
-        places.push_back(m_surface.toWidget(points.col(k)));
+    for (Eigen::Index k = 0; k < points.cols(); k += step) places.push_back(m_view.onScreen(points.col(k)));
     m_marks.spots(places, kInk, 1.4, QPen(QColor(255, 255, 255, 190), 0.6));
 }
 
-template <int Dim>
-void ShapePainter<Dim>::worst(const PosedFrame<Dim>& frame, int cell, const QString& words) {
+void ShapePainter::worst(const ShapeFrame& frame, int cell, const QString& words) {
     if (cell < 0) return;
-    std::optional<Vec<Dim>> place = centreOf<Dim>(frame, cell);
-    if constexpr (Dim == 3) place = m_surface.placeOf(cell);
-    const QPointF at = m_surface.toWidget(place ? *place : centreOf<Dim>(frame, cell));
+    const auto place = isFlat() ? std::optional(frame.centreOf(cell)) : m_view.placeOf(cell);
+    const QPointF at = m_view.onScreen(place ? *place : frame.centreOf(cell));
     m_marks.worst(at, !place);
     if (words.isEmpty()) return;
     const bool isLeft = at.x() > m_painter.viewport().width() / 2.0;  // the side with more room
     paintLabel(m_painter, at + QPointF(isLeft ? -kBeside : kBeside, -kHalfLabel), words, isLeft);
 }
 
-template class ShapePainter<2>;
-template class ShapePainter<3>;
-
-void paintFaults(QPainter& painter, ToolSurface& surface, const PosedFrame<2>& frame,
+void paintFaults(QPainter& painter, ShapeView& view, const PosedFrame<2>& frame,
                  const PoseFaults<2>& faults) {
     Marks marks(painter);
     QColor fill(kWrong);
     fill.setAlphaF(0.75F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
-    const auto at = [&](const Points<2>& points, int v) { return surface.toWidget(Vec<2>(points.col(v))); };
+    const auto at = [&](const Points<2>& points, int v) {
+        return view.onScreen(inSpace(Vec<2>(points.col(v))));
+    };
     for (const auto& place : faults.blown)
         for (const int cell : place.members) {
             QPolygonF corners;

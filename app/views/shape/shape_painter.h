@@ -7,7 +7,7 @@
 #include "app/style/colour_map.h"
 #include "app/style/marks.h"
 #include "app/style/theme.h"
-#include "app/tools/shape_tool.h"
+#include "app/tools/shape_view.h"
 
 namespace wend {
 
@@ -15,11 +15,10 @@ namespace wend {
 inline const QColor kSpaceAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 
 /// Draws the overlays of a shape at any zoom: pins, paths and the worst place.
-template <int Dim>
 class ShapePainter {
   public:
-    ShapePainter(QPainter& painter, SurfaceOf<Dim>& surface, const Theme& theme)
-        : m_painter(painter), m_marks(painter), m_surface(surface), m_theme(theme) {}
+    ShapePainter(QPainter& painter, ShapeView& view, const Theme& theme)
+        : m_painter(painter), m_marks(painter), m_view(view), m_theme(theme) {}
 
     void paths(int hovered);
     /// Draws the pins, and faintly the handles that do not hold at the shown time. `named`: the one with its
@@ -28,32 +27,36 @@ class ShapePainter {
     /// Draws the vertices of groups in their colours, those of a chosen one larger.
     void groups(const std::vector<GroupMark>& groups);
     /// Draws points that are carried along, such as a cloud.
-    void dots(const Points<Dim>& points);
+    void dots(const Points<3>& points);
     /// Draws a cross in the middle of a cell; in a solid at its visible place, or a faint ring if it is
     /// hidden. Adds a label unless it is empty.
-    void worst(const PosedFrame<Dim>& frame, int cell, const QString& words = {});
+    void worst(const ShapeFrame& frame, int cell, const QString& words = {});
     /// Marks the worst place of a measure, with a warning if it is extreme; nothing at rest.
-    void worst(const PosedFrame<Dim>& frame, Measure measure) {
+    void worst(const ShapeFrame& frame, Measure measure) {
         if (!isDistorted(*frame.distortion, measure)) return;
         worst(frame, worstOf(*frame.distortion, measure).cell, worstWarning(*frame.distortion, measure));
     }
 
   private:
-    ShapeSession& session() const { return m_surface.session(); }
-    QPolygonF toWidget(const std::vector<Vec<Dim>>& points) const;
+    ShapeSession& session() const { return m_view.session(); }
+    bool isFlat() const { return m_view.dimension() == 2; }
+    bool isOfDocument() const { return session().document().dimension() == m_view.dimension(); }
+    QPolygonF onScreen(const std::vector<Vec3>& points) const;
+    template <int Dim>
     void frames(const Pin& handle, const Vec<Dim>& start);
-    void frame(const Vec<Dim>& at, const Mat<Dim>& axes);
-    void spots(const PinView<Dim>& view);
-    void region(const PinView<Dim>& view, bool hovered);
+    void frame(const Vec3& at, const Mat<3>& axes);
+    void spots(const PinView& pin);
+    void seenSpots(const PinView& pin);
+    void area(const PinView& pin, bool hovered);
+    void carriedRegion(const PinView& pin);
 
     QPainter& m_painter;
     Marks m_marks;
-    SurfaceOf<Dim>& m_surface;
+    ShapeView& m_view;
     const Theme& m_theme;
 };
 
 /// The edges of a picture that cross, and its triangles that have blown up.
-void paintFaults(QPainter& painter, ToolSurface& surface, const PosedFrame<2>& frame,
-                 const PoseFaults<2>& faults);
+void paintFaults(QPainter& painter, ShapeView& view, const PosedFrame<2>& frame, const PoseFaults<2>& faults);
 
 }  // namespace wend

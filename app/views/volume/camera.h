@@ -4,7 +4,7 @@
 #include <QSize>
 
 #include "app/project/solid_view.h"
-#include "app/tools/solid_surface.h"
+#include "app/tools/solid_shape_view.h"
 
 namespace wend {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/tools/solid_surface.h"
+#include "app/tools/solid_shape_view.h"
 #include "app/views/volume/draw_mesh.h"
 #include "core/mesh/cut_plane.h"
 #include "core/mesh/triangle_tree.h"

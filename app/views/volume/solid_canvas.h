@@ -11,7 +11,7 @@
 namespace wend {
 
 /// The view of a session's solid: pose, colours and overlays.
-class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::View {
+class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::View {
     Q_OBJECT
 
   public:
@@ -24,19 +24,20 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     /// Returns the plane at its default place, the middle of the shape.
     CutPlane middlePlane(const Vec<3>& normal) const;
 
-    // SolidSurface
+    // SolidShapeView
     ShapeSession& session() override { return m_session; }
     Ray ray(const QPointF& widget) const override;
-    QPointF toWidget(const Vec<3>& p) const override;
+    QPointF onScreen(const Vec3& p) const override;
     double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
     Vec<3> viewDirection() const override { return camera().direction(); }
     SolidHit pick(const QPointF& widget) const override;
-    std::optional<Touch<3>> touch(const QPointF& widget) const override;
-    PosedPtr<3> shownFrame() const override { return m_preview.over(m_session.frame<3>()); }
-    void showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) override;
+    std::optional<Touch> touch(const QPointF& widget) const override;
+    FramePtr shownFrame() const override { return m_preview.over(m_session.frame<3>()); }
+    void showMaterial(const FramePtr& painted, bool lasts) override;
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
-    bool isHidden(const Vec<3>& p) const override;
+    bool isHidden(const Vec3& p) const;
+    bool isHidden(const Place&, const Vec3& p) const override { return isHidden(p); }
     bool isCutOff(const Vec<3>& p) const override {
         return cut() != CutKind::None && plane().height(p) > 1e-9;
     }
@@ -131,7 +132,7 @@ class SolidCanvas : public VolumeView, public SolidSurface, public Viewport::Vie
     std::shared_ptr<const PoseFaults<3>> m_faults;
     int m_pointedCell = -1;                   // requested by showCell() …
     std::shared_ptr<const void> m_pointedOf;  // … of this mesh
-    LayerLines<3> m_layer;
+    LayerLines m_layer;
     OnionSkin<3> m_onion;
     QWidget* m_overlay;
     Viewport m_viewport;

@@ -10,7 +10,7 @@ namespace wend {
 namespace {
 
 /// Adds the directions of a selected curve, which may be far from it.
-void addDirections(const Pin& handle, const PinPath<3>& path, std::vector<Vec<3>>& points) {
+void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& points) {
     for (const PinMotion& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
         const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
@@ -23,12 +23,12 @@ void addDirections(const Pin& handle, const PinPath<3>& path, std::vector<Vec<3>
 /// Returns the points of the pins and their paths as they are drawn.
 std::vector<Vec<3>> pathPoints(ShapeSession& session) {
     std::vector<Vec<3>> points;
-    for (const PinView<3>& view : session.pins<3>()) points.push_back(view.centre);
+    for (const PinView& view : session.pins()) points.push_back(view.centre);
     const auto& handles = session.document().design().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        const auto starts = session.pathStarts<3>(h);
+        const auto starts = session.pathStarts(h);
         if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
-        for (const PinPath<3>& path : pinPaths<3>(handles[h], shownStarts<3>(starts))) {
+        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
             points.insert(points.end(), path.points.begin(), path.points.end());
             if (session.selection().contains(h)) addDirections(handles[h], path, points);
         }

@@ -99,7 +99,7 @@ void SolidCanvas::setFaults(const std::shared_ptr<const PoseFaults<3>>& faults) 
 void SolidCanvas::showWorst() {
     const auto frame = m_session.frame<3>();
     const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
-    if (cell >= 0) showPlace(centreOf<3>(*frame, cell));
+    if (cell >= 0) showPlace(frame->centreOf(cell));
 }
 
 void SolidCanvas::showCell(int cell) {

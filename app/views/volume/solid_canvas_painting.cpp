@@ -53,7 +53,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     painter.restore();
     if (looks.hidden || !frame) return;
     const Theme theme = Theme::of(palette());
-    ShapePainter<3> over(painter, *this, theme);
+    ShapePainter over(painter, *this, theme);
     if (looks.map && isDistortion(measure)) over.worst(*frame, measure);
     if (m_pointedOf == frame->shape) over.worst(*frame, m_pointedCell);
     m_onion.setShown(looks.onionSkin);

@@ -18,7 +18,7 @@ Ray SolidCanvas::ray(const QPointF& widget) const {
     return camera().ray({widget.x(), widget.y()}, size());
 }
 
-QPointF SolidCanvas::toWidget(const Vec<3>& p) const {
+QPointF SolidCanvas::onScreen(const Vec<3>& p) const {
     const Vec<3> screen = camera().project(p, size());
     return {screen.x(), screen.y()};
 }
@@ -48,24 +48,24 @@ SolidHit SolidCanvas::pick(const QPointF& widget) const {
     return showsFrame() ? VolumeView::pick(widget) : SolidHit{};
 }
 
-std::optional<Touch<3>> SolidCanvas::touch(const QPointF& widget) const {
+std::optional<Touch> SolidCanvas::touch(const QPointF& widget) const {
     const SolidHit hit = pick(widget);
     if (hit.cell < 0) return {};
-    Location<3> place = locationIn<3>(*m_session.frame<3>(), hit.cell, hit.point);
+    Place place = m_session.frame()->placeIn(hit.cell, hit.point);
     // A surface may reach out of the solid that takes it along.
     place.weights = place.weights.cwiseMax(0);
     place.weights /= place.weights.sum();
-    return Touch<3>{place, hit.point};
+    return Touch{place, hit.point};
 }
 
-void SolidCanvas::showMaterial(std::shared_ptr<const Material<3>> painted, bool lasts) {
-    m_preview.set(m_session.frame<3>(), std::move(painted), lasts);
+void SolidCanvas::showMaterial(const FramePtr& painted, bool lasts) {
+    m_preview.set(m_session.frame<3>(), posed<3>(painted), lasts);
     refresh();
 }
 
 /// Whole cells reach beyond the plane: points on the drawn surface are not cut off.
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
-    const Ray sight = ray(toWidget(p));
+    const Ray sight = ray(onScreen(p));
     const SolidHit hit = hitOf(sight);
     const double within = 2 * pixelSize(p);
     const double before = hit.cell < 0
@@ -84,7 +84,7 @@ std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
     std::vector<Vec<3>> middles = {sum / 4};
     for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
     for (const Vec<3>& middle : middles) {
-        const SolidHit hit = hitOf(ray(toWidget(middle)));
+        const SolidHit hit = hitOf(ray(onScreen(middle)));
         if (hit.cell == cell) return hit.point;
     }
     return {};

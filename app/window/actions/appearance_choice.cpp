@@ -4,7 +4,7 @@
 
 #include "app/base/preferences.h"
 #include "app/style/mark_size.h"
-#include "app/tools/shape_surface.h"
+#include "app/tools/shape_view.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
 
@@ -38,7 +38,7 @@ void AppearanceChoice::enlargeMarks(double factor) {
     preferences::markSize.set(factor);
     setMarkSize(factor);
     for (QWidget* one : m_window.findChildren<QWidget*>()) {
-        if (auto* picture = dynamic_cast<ShapeSurface<2>*>(one)) picture->redraw();
+        if (auto* picture = dynamic_cast<PictureShapeView*>(one)) picture->redraw();
         if (auto* solid = dynamic_cast<SolidCanvas*>(one)) solid->showLooks();
     }
 }

@@ -89,8 +89,8 @@ void ShapeNotices::pinHanging() {
     m_session.document().beginStep();
     for (const HangingPart& part : hangingParts<Dim>(*frame->rest)) {
         const auto& cell = frame->rest->cells[static_cast<std::size_t>(part.firstCell)];
-        m_session.addHandle<Dim>(std::vector<int>(cell.begin(), cell.end()),
-                                 ShapeSession::tr("Pin").toStdString());
+        m_session.addHandle(std::vector<int>(cell.begin(), cell.end()),
+                            ShapeSession::tr("Pin").toStdString());
     }
     m_session.document().endStep();
     m_hasTold = false;

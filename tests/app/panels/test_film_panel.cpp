@@ -47,11 +47,11 @@ void TestFilmPanel::init() {
     ShapeSession& session = m_window->session();
     QVERIFY(QTest::qWaitFor([&] { return !session.document().isEmpty(); }, 20000));
     QVERIFY(settle(session));
-    session.addPin({40, 80});
-    session.addPin({200, 80});
+    session.addPin({40, 80, 0});
+    session.addPin({200, 80, 0});
     QVERIFY(settle(session));
     session.beginDrag();
-    session.dragTo<2>({-10, 25});
+    session.dragBy({-10, 25, 0});
     session.endDrag(0.5);
     QVERIFY(settle(session));
     for (QWidget* one : panel().findChildren<QWidget*>())

@@ -40,7 +40,7 @@ template <int Dim>
 bool TestLegend::pull(SolidFixture& f) {
     if (!f.openProject(Dim, 400)) return false;
     ShapeSession& session = f.session();
-    for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
+    for (const double u : {-1.8, 1.8}) session.addPin(inSpace(Bar<Dim>::place(u, 0)));
     const auto film = copyOf(f.project());
     designOf(*film).handles[1].motions = {{Translate<3>{Vec3::UnitX() * Bar<Dim>::kUnit}, 0, 1}};
     endOf(*film) = 1;
@@ -124,7 +124,7 @@ void TestLegend::lock() {
     SolidFixture f;
     QVERIFY(f.openProject(Dim, 400));
     ShapeSession& session = f.session();
-    for (const double u : {-1.8, 1.8}) session.addPin(Bar<Dim>::place(u, 0));
+    for (const double u : {-1.8, 1.8}) session.addPin(inSpace(Bar<Dim>::place(u, 0)));
     const auto film = copyOf(f.project());
     auto& end = designOf(*film).handles[1];
     end.motions = {{Translate<3>{Vec3::UnitX() * Bar<Dim>::kUnit}, 0, 1}};

@@ -258,7 +258,7 @@ void TestPanelFields::eitherPointCanBeTyped() {
 
 void TestPanelFields::longNumbersWidenNoPanel() {
     QVERIFY(m_f->open() && m_f->holdEnds());
-    m_f->session().moveSelected<3>(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
+    m_f->session().moveSelected(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<HandlePanel*>();
     auto* place = panel->findChild<QLabel*>(QStringLiteral("pinPlace"));
@@ -294,7 +294,7 @@ void TestPanelFields::enterGivesTheKeyboardBack_data() {
 void TestPanelFields::enterGivesTheKeyboardBack() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
-    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    if (solid) m_f->session().addHandle(Ball<3>{{2, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
     QSet<QWidget*> seen;
     inEveryStep([&] {
@@ -413,7 +413,7 @@ void TestPanelFields::wheelScrollsThePanels_data() {
 void TestPanelFields::wheelScrollsThePanels() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
-    if (solid) m_f->session().addHandle<3>(Ball<3>{{2, 0, 0}, 0.6}, "Region");
+    if (solid) m_f->session().addHandle(Ball<3>{{2, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
     if (solid) m_f->actions().cut->trigger();
     m_f->window().tools().setMode(Mode::Mesh);

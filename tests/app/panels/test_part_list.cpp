@@ -160,12 +160,12 @@ void TestPartList::listChangesParts() {
 /// Under the hand, and when it has let go, both parts are together at the joint.
 void TestPartList::dragged() {
     ShapeSession& session = m_f->session();
-    session.addPin<2>({20, 70});
-    session.addPin<2>({150, 40});
+    session.addPin({20, 70, 0});
+    session.addPin({150, 40, 0});
     QVERIFY(settle(session));
     session.beginDrag();
     for (int k = 1; k <= 5; ++k) {
-        session.dragTo({-6.0 * k, 8.0 * k});
+        session.dragBy({-6.0 * k, 8.0 * k, 0});
         QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
         QVERIFY(gap() < 1e-9);
     }
@@ -356,11 +356,11 @@ void TestPartList::outlinesOfPartsAreDrawn() {
 /// The pictures of a time before and of one after say which is in front.
 void TestPartList::orderChangesFromHere() {
     ShapeSession& session = m_f->session();
-    session.addPin<2>({20, 70});
-    session.addPin<2>({150, 40});
+    session.addPin({20, 70, 0});
+    session.addPin({150, 40, 0});
     QVERIFY(settle(session));
     session.beginDrag();
-    session.dragTo({2, 2});
+    session.dragBy({2, 2, 0});
     session.endDrag(0.2);
     QVERIFY(settle(session));
     list().setCurrentRow(2);
@@ -395,7 +395,7 @@ void TestPartList::hiddenPartsAreNotTouched() {
     const ShapeCanvas& canvas = m_f->window().canvas();
     const auto touched = [&] {
         const auto touch = canvas.touch(canvas.toWidget({70, 35}));
-        return touch ? partNameOf(*session.frame<2>()->rest, touch->place.cell) : std::string();
+        return touch ? session.frame()->partOf(touch->place.cell) : std::string();
     };
     QCOMPARE(touched(), std::string("bar"));
     list().item(1)->setCheckState(Qt::Unchecked);
@@ -410,7 +410,7 @@ void TestPartList::lockedPartsAreLeftAlone() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
     ShapeCanvas& canvas = m_f->window().canvas();
-    const int before = session.addPin<2>({150, 40});
+    const int before = session.addPin({150, 40, 0});
     QVERIFY(settle(session));
     const auto rest = session.frame<2>()->rest;
     QVERIFY(list().isVisible());
@@ -573,7 +573,7 @@ void TestPartList::dragsWaitForParts() {
     QSignalSpy notices(&session, &ShapeSession::notice), problems(&session, &ShapeSession::problem);
     makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
     QVERIFY(session.isMeshing());
-    session.selection().set({session.addPin<2>({80, 50})});
+    session.selection().set({session.addPin({80, 50, 0})});
     notices.clear();
     session.beginDrag();
     QVERIFY(!session.isDragging());
@@ -645,10 +645,10 @@ void TestPartList::edgesAreSoftened() {
 /// The bar has no pin and is the smaller one; a click attaches it, and it goes along.
 void TestPartList::whatStaysBehindMayRide() {
     ShapeSession& session = m_f->session();
-    session.addPin<2>({20, 70});
+    session.addPin({20, 70, 0});
     QVERIFY(settle(session));
     session.beginDrag();
-    session.dragTo({5, 4});
+    session.dragBy({5, 4, 0});
     session.endDrag(0.2);
     QVERIFY(settle(session));
     auto* banner = m_f->window().findChild<InfoBanner*>();
@@ -677,10 +677,10 @@ void TestPartList::islandsMayRide() {
     writeImage(path.toStdString(), picture);
     QVERIFY(m_f->openFile(path));
     ShapeSession& session = m_f->session();
-    session.addPin<2>({35, 30});
+    session.addPin({35, 30, 0});
     QVERIFY(settle(session));
     session.beginDrag();
-    session.dragTo({0, 7});
+    session.dragBy({0, 7, 0});
     session.endDrag(0.2);
     QVERIFY(settle(session));
     const std::vector<StrayPart> strays = strayParts(session);

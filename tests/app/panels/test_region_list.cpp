@@ -227,8 +227,8 @@ void TestRegionList::circlesHaveARadius() {
     QVERIFY(m_f->openPicture());
     auto* field = m_f->window().findChild<QDoubleSpinBox*>(QStringLiteral("circleRadius"));
     ShapeSession& session = m_f->session();
-    session.addPin<2>({60, 80});
-    session.addHandle<2>(Region<2>(Ball<2>{{170, 80}, 15}), "Circle");
+    session.addPin({60, 80, 0});
+    session.addHandle(Region<3>(Ball<3>{{170, 80, 0}, 15}), "Circle");
     QVERIFY(settle(session));
     session.selection().set({0});
     QVERIFY(field && field->isVisible());  // a point may be widened

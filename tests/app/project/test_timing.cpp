@@ -118,7 +118,7 @@ void TestTiming::restsStayRests() {
 void TestTiming::recordedWhereItWasReached() {
     DragGesture drag({0}, {}, true);
     for (int i = 1; i <= 20; ++i) drag.add({double(i), 0, 0}, i * kTick);
-    ShapeFrame stopped;
+    PosedFrame<2> stopped;
     stopped.sample = 12;
     stopped.amount = {7.5, 0, 0};
     stopped.stopped = true;

@@ -31,8 +31,8 @@ struct Bar<2> {
     static ShapeCanvas& canvas(SolidFixture& f) { return f.window().canvas(); }
     static ShapeCanvas& other(SolidFixture& f) { return f.window().compared().picture(); }
     static bool hold(SolidFixture& f) {
-        f.session().addPin<2>({40, 80});
-        f.session().addPin<2>({200, 80});
+        f.session().addPin({40, 80, 0});
+        f.session().addPin({200, 80, 0});
         f.window().actions().selectTool->trigger();
         return settle(f.session());
     }
@@ -246,8 +246,8 @@ void TestComparison::dragInTheOther() {
     QVERIFY(settle(session) && settle(other()));
     QCOMPARE(session.document().undoStack()->count(), steps + 1);
     QCOMPARE(session.selection().handles(), std::vector<int>{1});
-    const auto pins = session.template pins<Dim>();
-    const Vec<Dim> reached = pins[1].centre;
+    const auto pins = session.pins();
+    const Vec<Dim> reached = pins[1].centre.template head<Dim>();
     QVERIFY((reached - Bar<Dim>::end() - 0.5 * Bar<Dim>::way()).norm() < 0.1 * Bar<Dim>::way().norm());
 }
 
@@ -339,7 +339,7 @@ void TestComparison::tilesAreDropped() {
 
 void TestComparison::tilesArePreviewed() {
     QVERIFY(m_f->openPicture() && Bar<2>::hold(*m_f));
-    m_f->session().nudgeSelected<2>({-60, 30});
+    m_f->session().nudgeSelected({-60, 30, 0});
     QVERIFY(settle(m_f->session()));
     const auto& canvas = m_f->window().canvas();
     const auto before = m_f->session().document().project();
@@ -366,7 +366,7 @@ void TestComparison::tilesShowTheShape() {
     const auto picture = [&](int i) { return tile(i)->icon().pixmap(EnergySlider::pictureSize()).toImage(); };
     const QImage sample = picture(1);
     QVERIFY(solid ? Bar<3>::hold(*m_f) : Bar<2>::hold(*m_f));
-    solid ? m_f->session().nudgeSelected<3>({-1, 0, 0.7}) : m_f->session().nudgeSelected<2>({-100, 40});
+    solid ? m_f->session().nudgeSelected({-1, 0, 0.7}) : m_f->session().nudgeSelected({-100, 40, 0});
     QVERIFY(settle(m_f->session()));
     auto* made = tiles().findChild<TilePictures*>();
     QTRY_VERIFY_WITH_TIMEOUT(made->isDone(), 60000);
@@ -440,7 +440,7 @@ void TestComparison::takePaintAway() {
     QCOMPARE(choice->findText(unpainted), -1);
     ShapeSession& session = m_f->session();
     session.selection().set({1});
-    session.template nudgeSelected<Dim>(Bar<Dim>::way());
+    session.nudgeSelected(inSpace(Bar<Dim>::way()));
     QVERIFY(settle(session));
     const Points<Dim> before = session.template frame<Dim>()->pose;
     MaterialRegion stiff;

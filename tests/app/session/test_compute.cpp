@@ -105,7 +105,7 @@ void TestCompute::open() {
 void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
     m_session->selection().set({handle});
     m_session->beginDrag();
-    for (const Vec<2>& offset : way) m_session->dragTo(offset);
+    for (const Vec<2>& offset : way) m_session->dragBy(inSpace(offset));
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
 }
@@ -131,27 +131,27 @@ void TestCompute::opensAtRest() {
 void TestCompute::pinsBecomeVertices() {
     open();
     const Vec<2> at(61.25, 79.5);
-    QCOMPARE(m_session->addPin(at), 0);
+    QCOMPARE(m_session->addPin(inSpace(at)), 0);
     QVERIFY(settle(*m_session));
     const auto& points = m_session->frame<2>()->rest->points;
     QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
     QCOMPARE(m_session->pins().size(), std::size_t(1));
-    QCOMPARE(m_session->addPin({5, 5}), -1);  // beside the shape
+    QCOMPARE(m_session->addPin({5, 5, 0}), -1);  // beside the shape
     m_session->removeSelected();
     QVERIFY(m_session->document().design().handles.empty());
 }
 
 void TestCompute::dragEndsAsTheCommandLineHasIt() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
     QCOMPARE(m_session->playback().time(), 1.0);
     QVERIFY(!m_session->frame()->live);
     const Points<2> expected = commandLinePose();
     QVERIFY(m_session->frame<2>()->pose == expected);
     const auto pins = m_session->pins();
-    QVERIFY((pins[1].centre - Vec<2>(190, 105)).norm() < 1e-9);
+    QVERIFY((pins[1].centre - Vec3(190, 105, 0)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-9);
 }
 
@@ -159,8 +159,8 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
 /// motion that is wanted meanwhile, to the bits of one that was never stopped.
 void TestCompute::stopsWhileItPrepares() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}});
     const auto first = m_session->document().project();
     const auto shape = *m_session->frame<2>()->built;
@@ -197,9 +197,9 @@ void TestCompute::stopsWhileItPrepares() {
 void TestCompute::elasticFilmsKeepWhatFollows() {
     for (const bool elastic : {true, false}) {
         open();
-        m_session->addPin({40, 80});
-        m_session->addPin({200, 80});
-        m_session->addPin({120, 80});
+        m_session->addPin({40, 80, 0});
+        m_session->addPin({200, 80, 0});
+        m_session->addPin({120, 80, 0});
         const auto film = copyOf(*m_session->document().project());
         endOf(*film) = 4;
         designOf(*film).material.memory = elastic ? std::numeric_limits<double>::infinity() : 0;
@@ -250,8 +250,8 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
 /// The pose stays where it was put: a change that moves the end for good is computed to the end.
 void TestCompute::elasticFilmsFollowWhatMoves() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     const auto film = copyOf(*m_session->document().project());
     endOf(*film) = 2;
     designOf(*film).material.memory = std::numeric_limits<double>::infinity();
@@ -272,8 +272,8 @@ void TestCompute::elasticFilmsFollowWhatMoves() {
 /// cancelled, be the mesh ready by then or not.
 void TestCompute::anotherMeshIsTakenBack() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
     const auto coarse = m_session->track().frames();
     QUndoStack& undo = *m_session->document().undoStack();
@@ -305,8 +305,8 @@ void TestCompute::anotherMeshIsTakenBack() {
 /// What was computed of the first drag stays and gets other times.
 void TestCompute::laterDragsContinueTheMotion() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
     const auto shapes = posesOf(m_session->track());
     drag(0, {{3, -8}, {5, -16}});
@@ -323,8 +323,8 @@ void TestCompute::laterDragsContinueTheMotion() {
 /// A longer film has the same poses, a shorter one too; where it has too few pictures they are made.
 void TestCompute::otherLengthsKeepThePoses() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
     const Points<2> end = m_session->frame<2>()->pose;
     for (const double length : {0.5, 5.0}) {
@@ -348,8 +348,8 @@ void TestCompute::framesOnTheirWayCount_data() {
 void TestCompute::framesOnTheirWayCount() {
     QFETCH(double, factor);
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
     const auto poses = posesOf(m_session->track());
     double end = m_session->playback().end();
@@ -372,28 +372,28 @@ void TestCompute::framesOnTheirWayCount() {
 /// From the place where the pin is seen; what it did later is replaced, told, and undone. Others go on.
 void TestCompute::dragsGoOnFromWhatIsShown() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 10}, {0, 40}});
     drag(0, {{0, -10}});
     const auto before = m_session->document().project();
     m_session->playback().setTime(0.4);
-    const Vec<2> seen = m_session->pins()[1].centre;
+    const Vec3 seen = m_session->pins()[1].centre;
     const Points<2> pose = m_session->frame<2>()->pose;
     QVERIFY(seen.y() > 85 && seen.y() < 115);
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     m_session->selection().set({1});
     m_session->beginDrag();
-    m_session->dragTo<2>({-8, 0});
+    m_session->dragBy({-8, 0, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
-    QVERIFY((m_session->pins()[1].centre - (seen - Vec<2>(8, 0))).norm() < 1e-9);
+    QVERIFY((m_session->pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-9);
     QVERIFY((m_session->frame<2>()->pose - pose).colwise().norm().maxCoeff() < 20);
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     QCOMPARE(notices.size(), 1);
     QCOMPARE(m_session->playback().time(), 1.0);
-    QVERIFY((m_session->pins()[1].centre - (seen - Vec<2>(8, 0))).norm() < 1e-6);
-    QVERIFY((m_session->pins()[0].centre - Vec<2>(40, 70)).norm() < 1e-6);  // what it did stays
+    QVERIFY((m_session->pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-6);
+    QVERIFY((m_session->pins()[0].centre - Vec3(40, 70, 0)).norm() < 1e-6);  // what it did stays
     QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
     m_session->document().undoStack()->undo();
     QVERIFY(m_session->document().project() == before);
@@ -403,13 +403,13 @@ void TestCompute::dragsGoOnFromWhatIsShown() {
 
 void TestCompute::escapeRestores() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
     const Points<2> before = m_session->frame<2>()->pose;
     const int steps = m_session->document().undoStack()->count();
     m_session->beginDrag();
-    m_session->dragTo({0, 20});
+    m_session->dragBy({0, 20, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
     QVERIFY(m_session->frame<2>()->pose != before);
     m_session->cancelDrag();
@@ -421,8 +421,8 @@ void TestCompute::escapeRestores() {
 
 void TestCompute::undoShowsTheEarlierShapeAtOnce() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
     const Points<2> first = m_session->frame<2>()->pose;
     drag(1, {{0, -30}});
@@ -434,12 +434,12 @@ void TestCompute::undoShowsTheEarlierShapeAtOnce() {
 
 void TestCompute::laterPinMovesNothing() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
     const Points<2> before = m_session->frame<2>()->pose;
     const auto rest = m_session->frame<2>()->rest;
-    const int added = m_session->addPin<2>(m_session->pins()[1].centre + Vec<2>(-60, -2));
+    const int added = m_session->addPin(m_session->pins()[1].centre + Vec3(-60, -2, 0));
     QCOMPARE(added, 2);
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->frame<2>()->rest, rest);
@@ -447,18 +447,18 @@ void TestCompute::laterPinMovesNothing() {
     drag(2, {{0, 6}});
     QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
     const auto pins = m_session->pins();
-    QVERIFY((pins[1].centre - Vec<2>(200, 100)).norm() < 1e-9);  // the others held still
+    QVERIFY((pins[1].centre - Vec3(200, 100, 0)).norm() < 1e-9);  // the others held still
 }
 
 void TestCompute::nudgesMerge() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     const int steps = m_session->document().undoStack()->count();
-    for (int i = 0; i < 4; ++i) m_session->nudgeSelected({1, 0});
+    for (int i = 0; i < 4; ++i) m_session->nudgeSelected({1, 0, 0});
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
-    QVERIFY((m_session->pins()[1].centre - Vec<2>(204, 80)).norm() < 1e-9);
+    QVERIFY((m_session->pins()[1].centre - Vec3(204, 80, 0)).norm() < 1e-9);
 }
 
 /// One pin dragged through the other cannot arrive without a fold: by the flow, since an elastic shape may
@@ -466,14 +466,14 @@ void TestCompute::nudgesMerge() {
 void TestCompute::foldsStopTheHandle() {
     open();
     changeSetting(m_session->document(), "material.memory", 0);
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     m_session->selection().set({1});
     m_session->beginDrag();
     for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
-        m_session->dragTo({-5.0 * i, 0});
+        m_session->dragBy({-5.0 * i, 0, 0});
         QTest::qWait(30);
     }
     QVERIFY(QTest::qWaitFor([&] { return !notices.isEmpty(); }, 20000));
@@ -569,8 +569,8 @@ void TestCompute::firstMotionIsCancelled() {
 
 void TestCompute::whatIsGoneIsNotSelected() {
     open();
-    m_session->addPin({40, 80});
-    const int last = m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    const int last = m_session->addPin({200, 80, 0});
     m_session->selection().set({0, last});
     m_session->document().undoStack()->undo();
     QCOMPARE(m_session->selection().handles(), std::vector<int>{0});
@@ -607,8 +607,8 @@ void TestCompute::playbackWaitsForWhatIsComputed() {
 /// A question is answered when nothing else is wanted, and not lost.
 void TestCompute::velocitiesWaitForRequests() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
     FramePtr last;
     int answers = 0;
@@ -672,9 +672,9 @@ void TestCompute::openMoved() {
     m_session->document().open(openFile(QString::fromStdString(name)));
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<Dim>();
-    m_session->addHandle<Dim>(std::vector<int>{0, 1}, "Pin");
-    m_session->addHandle<Dim>(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
-    m_session->moveSelected<Dim>({}, {0.3, 0.2, 0});
+    m_session->addHandle(std::vector<int>{0, 1}, "Pin");
+    m_session->addHandle(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
+    m_session->moveSelected({}, {0.3, 0.2, 0});
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->playback().time(), 1.0);
 }
@@ -689,7 +689,7 @@ QString TestCompute::whatIsLeft(const FramePtr& last) const {
     if (!m_session->frame() && m_session->isStale()) return QStringLiteral("a stale frame");
     if (m_session->isDragging()) return QStringLiteral("the drag");
     if (!m_session->selection().isEmpty()) return QStringLiteral("the selection");
-    if (!m_session->pins<Dim>().empty()) return QStringLiteral("pins");
+    if (!m_session->pins().empty()) return QStringLiteral("pins");
     if (!m_session->frame() && m_session->velocity<Dim>().cols() > 0) return QStringLiteral("the velocity");
     return {};
 }
@@ -760,10 +760,10 @@ void TestCompute::nothingOutlivesItsDocument() {
 /// Nothing is computed for nobody, and nothing is told of it.
 void TestCompute::closingEndsTheWork() {
     open();
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
-    m_session->moveSelected<2>({}, {0, 40, 0});
+    m_session->moveSelected({}, {0, 40, 0});
     test::addPin(m_session->document(), {5, 5}, "stray");
     QSignalSpy problems(m_session.get(), &ShapeSession::problem),
         notices(m_session.get(), &ShapeSession::notice);

@@ -100,8 +100,8 @@ void TestFilm::open(int dimension) {
         QVERIFY(m_window->open() && m_window->holdEnds());
     } else {
         QVERIFY(m_window->openPicture());
-        session().addPin({40, 80});
-        session().addPin({200, 80});
+        session().addPin({40, 80, 0});
+        session().addPin({200, 80, 0});
         QVERIFY(settle(session()));
     }
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
@@ -128,8 +128,8 @@ void TestFilm::openFilm(int dimension) {
 
 QPoint TestFilm::pin(int handle) {
     if (session().document().dimension() == 2)
-        return m_window->window().canvas().toWidget(session().pins()[handle].centre).toPoint();
-    return m_window->canvas().toWidget(session().pins<3>()[handle].centre).toPoint();
+        return m_window->window().canvas().onScreen(session().pins()[handle].centre).toPoint();
+    return m_window->canvas().onScreen(session().pins()[handle].centre).toPoint();
 }
 
 std::size_t TestFilm::motions(int handle) {
@@ -272,9 +272,7 @@ void TestFilm::othersAreSeenGoingOn() {
     openFilm(dimension);
     session().playback().setTime(0);
     QVERIFY(settle(session()));
-    const auto other = [&] {
-        return dimension == 2 ? session().pins()[0].centre.y() : session().pins<3>()[0].centre.y();
-    };
+    const auto other = [&] { return session().pins()[0].centre.y(); };
     const double begin = other();
     const QPoint from = pin(1);
     QTest::mouseMove(&canvas(), from);
@@ -574,12 +572,11 @@ void TestFilm::menuOfABar() {
 
 namespace {
 
-template <int Dim>
 QString ghostName(ShapeSession& session) {
-    const auto ghosts = session.ghosts<Dim>();
+    const auto ghosts = session.ghosts();
     if (ghosts.size() != 1) return {};
     const auto& handles = session.document().design().handles;
-    return wend::ghostName<Dim>(handles[ghosts[0].handle], "x", session.playback().time());
+    return wend::ghostName(handles[ghosts[0].handle], "x", session.playback().time());
 }
 
 }  // namespace
@@ -591,7 +588,7 @@ void TestFilm::ghostsTellWhenTheyHold() {
     session().document().changeDesign(QStringLiteral("Hold"),
                                       withHold(designOf(project()), 1, {1, 2.5}, endOf(project())));
     QVERIFY(settle(session()));
-    const auto name = [&] { return dimension == 2 ? ghostName<2>(session()) : ghostName<3>(session()); };
+    const auto name = [&] { return dimension == 2 ? ghostName(session()) : ghostName(session()); };
     session().playback().setTime(0.2);
     QCOMPARE(name(), QStringLiteral("x: holds from 1.00 s"));
     session().playback().setTime(1.5);
@@ -600,8 +597,8 @@ void TestFilm::ghostsTellWhenTheyHold() {
     QCOMPARE(name(), QStringLiteral("x: released at 2.50 s"));
     session().selection().clear();
     const QPoint at = dimension == 2
-                          ? m_window->window().canvas().toWidget(session().ghosts<2>()[0].centre).toPoint()
-                          : m_window->canvas().toWidget(session().ghosts<3>()[0].centre).toPoint();
+                          ? m_window->window().canvas().onScreen(session().ghosts()[0].centre).toPoint()
+                          : m_window->canvas().onScreen(session().ghosts()[0].centre).toPoint();
     const auto around = [&] {
         return canvas().grab(QRect(at - QPoint(8, 8), at + QPoint(120, 8))).toImage();
     };
@@ -667,7 +664,7 @@ void TestFilm::rulerIsScrubbed() {
 /// Of a film that is opened, what moves is in view, however many pins stand before it.
 void TestFilm::filmsBeginWithWhatMoves() {
     open(2);
-    for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80});
+    for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80, 0});
     const auto next = copyOf(project());
     designOf(*next).handles.back().motions = {PinMotion{Translate<3>{{0, 5, 0}}}};
     OpenedFile file;
@@ -687,7 +684,7 @@ void TestFilm::filmsBeginWithWhatMoves() {
 /// A pin that is chosen on the shape has its row in view.
 void TestFilm::manyPinsScroll() {
     openFilm(2);
-    for (int i = 0; i < 12; ++i) session().addPin({60.0 + 10 * i, 80});
+    for (int i = 0; i < 12; ++i) session().addPin({60.0 + 10 * i, 80, 0});
     QVERIFY(settle(session()));
     QVERIFY(tracks().verticalScrollBar()->maximum() > 0);
     session().selection().set({0});
@@ -796,7 +793,7 @@ std::array<double, 3> influence(ShapeSession& session, int handle) {
     if (field.cols() == 0) return {-1, -1, -1};
     const Points<Dim>& pose = session.frame<Dim>()->pose;
     Eigen::Index nearest = 0;
-    (pose.colwise() - session.pins<Dim>()[handle].centre).colwise().norm().minCoeff(&nearest);
+    (pose.colwise() - session.pins()[handle].centre.head<Dim>()).colwise().norm().minCoeff(&nearest);
     return {100 * field.row(0).minCoeff(), 100 * field.row(0).maxCoeff(), 100 * field(0, nearest)};
 }
 

@@ -71,8 +71,8 @@ void TestGestures::open(int vertices) {
     file.project = coarse;
     m_session->document().open(std::move(file));
     QVERIFY(settled());
-    m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     QVERIFY(settled());
 }
 
@@ -84,7 +84,7 @@ void TestGestures::begin(int handle) {
 
 void TestGestures::drag(int handle, const Vec<2>& way) {
     begin(handle);
-    m_session->dragTo<2>(way);
+    m_session->dragBy(inSpace(way));
     m_session->endDrag(0.2);
     QVERIFY(settled());
 }
@@ -101,7 +101,7 @@ void TestGestures::newPinIsThereAfterACancelledDrag() {
     open(6000);
     for (const int wait : {0, 1, 5, 20, 60}) {
         const Vec<2> at(90.25 + wait, 80.5);
-        const int added = m_session->addPin(at);
+        const int added = m_session->addPin(inSpace(at));
         QTest::qWait(wait);
         begin(added);
         m_session->cancelDrag();
@@ -114,14 +114,14 @@ void TestGestures::newPinIsThereAfterACancelledDrag() {
 void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
     open();
     const auto before = m_session->frame<2>()->rest;
-    const int added = m_session->addPin<2>({120.25, 80.5});
+    const int added = m_session->addPin({120.25, 80.5, 0});
     setVertices(m_session->document(), 1000000);  // nobody waits for it: the mesh below takes its place
     begin(added);
-    m_session->dragTo<2>({0, 12});
+    m_session->dragBy({0, 12, 0});
     QVERIFY(follows());
     QCOMPARE(m_session->frame<2>()->rest, before);
     QVERIFY(m_session->isBusy());
-    QVERIFY((m_session->pins()[2].centre - Vec<2>(120.25, 92.5)).norm() < 1e-9);
+    QVERIFY((m_session->pins()[2].centre - Vec3(120.25, 92.5, 0)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-6);
     m_session->endDrag(0.2);
     setVertices(m_session->document(), 400);
@@ -133,11 +133,11 @@ void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
 void TestGestures::undoEndsADrag() {
     open();
     begin(1);
-    m_session->dragTo<2>({0, 8});
+    m_session->dragBy({0, 8, 0});
     QVERIFY(follows());
     m_session->document().undoStack()->undo();  // the pin that is being dragged
     QVERIFY(!m_session->isDragging());
-    m_session->dragTo<2>({0, 12});
+    m_session->dragBy({0, 12, 0});
     m_session->endDrag(0.2);
     QVERIFY(settled());
     QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
@@ -156,11 +156,11 @@ void TestGestures::framesFitTheirMesh() {
         QCOMPARE(frame->distortion->angle.size(), frame->rest->cells.size());
     });
     for (int i = 0; i < 6; ++i) {
-        const int added = m_session->addPin<2>({70.0 + 15 * i, 80});
+        const int added = m_session->addPin({70.0 + 15 * i, 80, 0});
         begin(added);
-        m_session->dragTo<2>({0, 3});
+        m_session->dragBy({0, 3, 0});
         QTest::qWait(7 * i);
-        m_session->dragTo<2>({0, 5});
+        m_session->dragBy({0, 5, 0});
         if (i % 2)
             m_session->document().undoStack()->undo();
         else
@@ -174,14 +174,14 @@ void TestGestures::framesFitTheirMesh() {
 void TestGestures::anotherFileEndsADrag() {
     open();
     begin(1);
-    m_session->dragTo<2>({0, 8});
+    m_session->dragBy({0, 8, 0});
     QVERIFY(follows());
     m_session->document().open(openFile(writeCutOut(*m_folder, QStringLiteral("other.png"))));
     QVERIFY(settled());
     QVERIFY(!m_session->frame()->live);
-    const int added = m_session->addPin<2>({40, 80});
+    const int added = m_session->addPin({40, 80, 0});
     begin(added);
-    m_session->dragTo<2>({0, 8});
+    m_session->dragBy({0, 8, 0});
     QVERIFY(follows());
 }
 
@@ -191,15 +191,15 @@ void TestGestures::refusedDragsLeaveOthersAlone() {
     m_session->document().changeDesign(
         QStringLiteral("Edit"),
         withHandle(m_session->document().design(), Region<3>(Ball<3>{{110, 80, 0}, 14}), "Block"));
-    const int inside = m_session->addPin<2>({112.5, 81.25});
+    const int inside = m_session->addPin({112.5, 81.25, 0});
     QVERIFY(settled());
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
     begin(inside);
-    m_session->dragTo<2>({5, 0});
+    m_session->dragBy({5, 0, 0});
     m_session->endDrag(0.2);
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     begin(1);
-    m_session->dragTo<2>({0, 8});
+    m_session->dragBy({0, 8, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->amount == Amount(0, 8, 0); }, 20000));
     QVERIFY(m_session->frame()->live && !m_session->frame()->stopped);
     m_session->cancelDrag();
@@ -214,7 +214,7 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
     QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
     QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
     begin(1);
-    m_session->dragTo<2>({0, 8});
+    m_session->dragBy({0, 8, 0});
     QVERIFY(follows());
     QVERIFY(m_session->isBusy() && busy.isEmpty());
     m_session->cancelDrag();
@@ -226,10 +226,10 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
 void TestGestures::lastOfManySamplesIsFollowed() {
     open();
     begin(1);
-    m_session->dragTo<2>({0, 1});
+    m_session->dragBy({0, 1, 0});
     QVERIFY(follows());
     for (int burst = 1; burst <= 3; ++burst) {
-        for (int i = 0; i < 10; ++i) m_session->dragTo<2>({0, 4.0 * burst + 0.1 * i});
+        for (int i = 0; i < 10; ++i) m_session->dragBy({0, 4.0 * burst + 0.1 * i, 0});
         QTRY_COMPARE_WITH_TIMEOUT(m_session->frame()->sample, 1 + 10 * burst, 20000);
         QCOMPARE(m_session->frame()->amount.y(), 4.0 * burst + 0.9);
     }
@@ -248,12 +248,12 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     m_session->beginDrag();
     QVERIFY(!m_session->isDragging());
-    m_session->nudgeSelected<2>({1, 0});
+    m_session->nudgeSelected({1, 0, 0});
     QCOMPARE(m_session->document().project(), before);
     QCOMPARE(notices.size(), 2);
     m_session->selection().set({0, 1});  // the other one alone
     m_session->beginDrag();
-    m_session->dragTo<2>({0, 4});
+    m_session->dragBy({0, 4, 0});
     m_session->endDrag(0.2);
     QVERIFY(settled());
     QVERIFY(m_session->document().design().handles[0].motions.empty());
@@ -280,7 +280,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
     const Vec<2> far(210, 82);  // of the shape at rest; at the end it is elsewhere
     m_session->playback().setTime(0);
     QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
-    const int added = m_session->addPin(far);
+    const int added = m_session->addPin(inSpace(far));
     QCOMPARE(added, 2);
     const auto& points = std::get<std::vector<Vec3>>(m_session->document().design().handles[2].at);
     QVERIFY((inPlane(points[0]) - far).norm() < 1e-9);
@@ -289,7 +289,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
 void TestGestures::clicksBesideTheShapeAreTold() {
     open();
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
-    QCOMPARE(m_session->addPin<2>({5, 5}), -1);
+    QCOMPARE(m_session->addPin({5, 5, 0}), -1);
     QCOMPARE(notices.size(), 1);
 }
 
@@ -308,7 +308,7 @@ void TestGestures::fixedStepsGoOnAsInTheFile() {
 
 void TestGestures::newPinDoesNotDim() {
     open();
-    m_session->addPin<2>({120, 80});
+    m_session->addPin({120, 80, 0});
     QVERIFY(m_session->isBusy() && !m_session->isStale());
     QVERIFY(settled());
     setVertices(m_session->document(), 500);
@@ -349,7 +349,7 @@ void TestGestures::anotherTimeIsNotThatOfTheDrag() {
     drag(1, {0, 20});
     m_session->selection().set({1});
     m_session->beginDrag();
-    m_session->dragTo({0, 10});
+    m_session->dragBy({0, 10, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame() && m_session->frame()->live; }, 20000));
     m_session->endDrag(0.2);
     QVERIFY(m_session->isBusy());
@@ -363,7 +363,7 @@ void TestGestures::anotherTimeIsNotThatOfTheDrag() {
 void TestGestures::refusedHandlesWaitForTheShape() {
     DragGesture drag({0}, Grip{});
     const auto follow = [&](int sample, double x, bool stopped) {
-        ShapeFrame live;
+        PosedFrame<2> live;
         live.sample = sample;
         live.amount = Amount(x, 0, 0);
         live.stopped = stopped;

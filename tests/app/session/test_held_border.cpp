@@ -96,7 +96,7 @@ void TestHeldBorder::open(Border border) {
 /// By an eighth of the picture; the number of live frames in which the border was not where it is to be, or
 /// had not gone along as it may by the end.
 int TestHeldBorder::dragMiddle() {
-    const int pin = m_session->addPin({140, 90});
+    const int pin = m_session->addPin({140, 90, 0});
     m_session->selection().set({pin});
     const Border border = m_session->document().domain().border;
     int live = 0, wrong = 0;
@@ -114,7 +114,7 @@ int TestHeldBorder::dragMiddle() {
     });
     m_session->beginDrag();
     for (int step = 1; step <= 5; ++step) {
-        m_session->dragTo({7.0 * step, 5.0 * step});
+        m_session->dragBy({7.0 * step, 5.0 * step, 0});
         QTest::qWait(20);
     }
     const auto isLast = [&] { return live > 0 && m_session->frame()->sample == 5; };
@@ -141,7 +141,7 @@ void TestHeldBorder::pixelsAreThere(const QString& file, Border border) {
     for (int x = 0; x < kWidth; ++x) compare(x, 0), compare(x, kHeight - 1);
     for (int y = 0; y < kHeight; ++y) compare(0, y), compare(kWidth - 1, y);
     // What is inside went along with the pin.
-    QVERIFY((m_session->pins<2>()[0].centre - Vec<2>(175, 115)).norm() < 0.3);
+    QVERIFY((m_session->pins()[0].centre - Vec3(175, 115, 0)).norm() < 0.3);
     const QRgb middle = written.pixel(175, 115);
     QVERIFY(std::abs(qRed(middle) - (20 + 90)) <= 3 &&
             std::abs(qGreen(middle) - (10 + 140 * 230 / kWidth)) <= 3);
@@ -193,11 +193,11 @@ void TestHeldBorder::borderIsHeld() {
 /// A pin on the border is the user's word: it moves, and the rest of the border stays.
 void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
     open(Border::Fixed);
-    const int pin = m_session->addPin({150, 0});
+    const int pin = m_session->addPin({150, 0, 0});
     QVERIFY(pin >= 0);
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({0, 12});
+    m_session->dragBy({0, 12, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
@@ -228,10 +228,10 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
     std::vector<int> numbers;
     for (int v = 0; v < rest->vertexCount(); ++v)
         if (isHeld(v)) numbers.push_back(v);
-    const Region<2> region = HalfSpace<2>{{30, 0}, {-1, 0}};
-    m_session->addHandle<2>(byNumber ? Placement<2>(numbers) : Placement<2>(region), "End");
+    const Region<3> region = HalfSpace<3>{{30, 0, 0}, {-1, 0, 0}};
+    m_session->addHandle(byNumber ? Placement<3>(numbers) : Placement<3>(region), "End");
     const Vec<2> by(-8, 6);
-    m_session->moveSelected<2>({}, {by.x(), by.y(), 0});
+    m_session->moveSelected({}, {by.x(), by.y(), 0});
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
     QCOMPARE(frame->rest, rest);

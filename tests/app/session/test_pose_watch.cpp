@@ -160,7 +160,7 @@ void TestPoseWatch::nothingIsKnownOfWhatMoves() {
     QVERIFY(isKnown("crossings"));
     m_f->session().selection().set({1});
     m_f->session().beginDrag();
-    m_f->session().dragTo<2>({0.5, 0});
+    m_f->session().dragBy({0.5, 0, 0});
     QTRY_COMPARE(chip("crossings").text(), QStringLiteral("–"));
     QTest::qWait(600);
     QCOMPARE(chip("crossings").text(), QStringLiteral("–"));

@@ -77,7 +77,7 @@ void TestTrackTools::init() {
     QSettings().remove(QStringLiteral("ruler"));
     m_window = std::make_unique<SolidFixture>();
     QVERIFY(m_window->openPicture());
-    for (const double x : {40.0, 200.0}) session().addPin({x, 80});
+    for (const double x : {40.0, 200.0}) session().addPin({x, 80, 0});
     QVERIFY(settle(session()));
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
     const auto next = copyOf(project());

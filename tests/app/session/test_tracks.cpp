@@ -78,7 +78,7 @@ void TestTracks::init() {
     QSettings().remove(QStringLiteral("ruler"));
     m_window = std::make_unique<SolidFixture>();
     QVERIFY(m_window->openPicture());
-    for (const double x : {40.0, 200.0, 120.0}) session().addPin({x, 80});
+    for (const double x : {40.0, 200.0, 120.0}) session().addPin({x, 80, 0});
     QVERIFY(settle(session()));
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Animate);
     const auto next = copyOf(project());
@@ -215,7 +215,7 @@ void TestTracks::keysAreCopiedToTheTimeShown() {
     QVERIFY((placeAt(0, 3.5) - Vec<2>(0, 10)).norm() < 1e-9);
     QVERIFY((placeAt(0, 4.5) - Vec<2>(5, 10)).norm() < 1e-9);
     QVERIFY(settle(session()));
-    QVERIFY((session().pins()[0].centre - Vec<2>(40, 90)).norm() < 1e-6);  // the shape is there, too
+    QVERIFY((session().pins()[0].centre - Vec3(40, 90, 0)).norm() < 1e-6);  // the shape is there, too
     QCOMPARE(session().playback().time(), 3.5);
     undo().undo();
     QCOMPARE(keys(0), (std::vector<double>{0, 1, 2}));
@@ -345,7 +345,7 @@ void TestTracks::dragAtTheEndIsCorrected() {
         session().playback().setTime(endOf(project()));
         QVERIFY(settle(session()));
         QWidget& canvas = m_window->window().canvas();
-        drag(canvas, m_window->window().canvas().toWidget(session().pins()[2].centre).toPoint(), by);
+        drag(canvas, m_window->window().canvas().onScreen(session().pins()[2].centre).toPoint(), by);
     };
     dragPin({0, 30});
     QCOMPARE(endOf(project()), 5.0);
@@ -374,7 +374,7 @@ void TestTracks::filmIsMadeOfPoses() {
     const auto pose = [&](double time, const QPoint& by) {
         show(time);
         QWidget& canvas = m_window->window().canvas();
-        drag(canvas, m_window->window().canvas().toWidget(session().pins()[2].centre).toPoint(), by);
+        drag(canvas, m_window->window().canvas().onScreen(session().pins()[2].centre).toPoint(), by);
     };
     pose(1, {0, 30});
     pose(3, {0, -40});

@@ -197,7 +197,7 @@ void TestBrushwork::paintByKeys() {
     QTest::keyClick(&canvas, Qt::Key_Return);
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
     const Vec<Dim> start = std::get<Ball<Dim>>(regionIn<Dim>(regions<Dim>()[0].shape)).centre;
-    const double pixel = canvas.pixelSize(start);
+    const double pixel = canvas.pixelSize(inSpace(start));
     QVERIFY((start - Bar<Dim>::place(0, 0)).norm() < 3 * pixel);
     const int before = steps();
     QTest::keyClick(&canvas, Qt::Key_Right, Qt::ShiftModifier);
@@ -245,7 +245,7 @@ void TestBrushwork::blendByKeys() {
     QVERIFY(settle(m_f->session()));
     QCOMPARE(steps(), before + 1);
     const Vec<Dim> from = blend().from, way = blend().to - from;
-    const double step = 50 * canvas.pixelSize(from);
+    const double step = 50 * canvas.pixelSize(inSpace(from));
     QVERIFY((from - Bar<Dim>::place(0, 0)).norm() < 0.1 * step);
     QVERIFY2(
         std::abs(way.x() - 2 * step) < 0.1 * step && std::abs(way.norm() - std::sqrt(5) * step) < 0.2 * step,

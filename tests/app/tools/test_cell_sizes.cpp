@@ -210,7 +210,7 @@ void TestCellSizes::regionOfTheSelectedHandle() {
     m_f->actions().sizes->trigger();
     QVERIFY(!entry(3)->isEnabled());
     const Region<3> half = HalfSpace<3>{{1, 0, 0}, {1, 0, 0}};
-    m_f->session().selection().set({m_f->session().addHandle<3>(half, "Region")});
+    m_f->session().selection().set({m_f->session().addHandle(half, "Region")});
     QVERIFY(settle(m_f->session()));
     QVERIFY(entry(3)->isEnabled());
     entry(3)->trigger();

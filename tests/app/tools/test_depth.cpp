@@ -213,11 +213,11 @@ void TestDepth::initTestCase() {
     file.project = project;
     m_session.document().open(std::move(file));
     QVERIFY(settle(m_session));
-    const int hand = m_session.addPin({126, 41});
-    QVERIFY(hand >= 0 && m_session.addPin({250, 180}) >= 0 && m_session.addPin({120, 180}) >= 0);
+    const int hand = m_session.addPin({126, 41, 0});
+    QVERIFY(hand >= 0 && m_session.addPin({250, 180, 0}) >= 0 && m_session.addPin({120, 180, 0}) >= 0);
     m_session.selection().set({hand});
     m_session.beginDrag();
-    m_session.dragTo({60, 130});
+    m_session.dragBy({60, 130, 0});
     m_session.endDrag(0.2);
     QVERIFY(settle(m_session));
 }
@@ -396,7 +396,7 @@ void TestDepth::brushed() {
         return found;
     };
     const auto stroke = [&](Qt::KeyboardModifiers modifiers) {
-        const QPoint hand = m_canvas.toWidget(m_session.pins<2>()[0].centre).toPoint();
+        const QPoint hand = m_canvas.onScreen(m_session.pins()[0].centre).toPoint();
         QTest::mousePress(&m_canvas, Qt::LeftButton, modifiers, hand);
         QTest::mouseMove(&m_canvas, hand + QPoint(4, 2));
         QTest::mouseRelease(&m_canvas, Qt::LeftButton, modifiers, hand + QPoint(4, 2));
@@ -427,10 +427,9 @@ void TestDepth::brushed() {
 void TestDepth::whatIsSeenIsTouched() {
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
-        const auto touch = m_canvas.touch(m_canvas.toWidget(m_session.pins<2>()[0].centre));
+        const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.pins()[0].centre));
         QVERIFY(touch);
-        const auto frame = m_session.frame<2>();
-        const Vec<2> rest = positionOf<2>(touch->place, *frame->rest, frame->rest->points);
+        const Vec<2> rest = inPlane(m_session.frame()->restAt(touch->place));
         QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
     }
 }
@@ -439,7 +438,7 @@ void TestDepth::whatIsSeenIsTouched() {
 void TestDepth::pinsInFrontArePicked() {
     setDepth({});
     const auto before = m_session.frame<2>();
-    const Vec<2> hand = m_session.pins<2>()[0].centre;
+    const Vec<2> hand = inPlane(m_session.pins()[0].centre);
     std::optional<Vec<2>> below;
     for (const int cell : cellsAt(*before, hand + Vec<2>(4, 0))) {
         const auto place = locationIn<2>(*before, cell, hand + Vec<2>(4, 0));
@@ -448,18 +447,18 @@ void TestDepth::pinsInFrontArePicked() {
     }
     QVERIFY(below);
     const int steps = m_session.document().undoStack()->count();
-    const int body = m_session.addHandle<2>(std::vector<Vec<2>>{*below}, "Body");
+    const int body = m_session.addHandle(std::vector<Vec3>{inSpace(*below)}, "Body");
     QVERIFY(settle(m_session));
     PinChoice choice;
-    PinTool<2> tool(m_canvas, choice, false);
+    PinTool tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
         setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
         for (const int pin : {0, body}) {
-            Vec<2> place;
-            for (const auto& view : m_session.pins<2>())
+            Vec3 place;
+            for (const auto& view : m_session.pins())
                 if (view.handle == pin) place = view.centre;
-            QCOMPARE(tool.handleAt(m_canvas.toWidget(place)), order > 0 ? 0 : body);
+            QCOMPARE(tool.handleAt(m_canvas.onScreen(place)), order > 0 ? 0 : body);
         }
         // Beside the one that is seen, the other is within reach alone.
         const int other = order > 0 ? body : 0;

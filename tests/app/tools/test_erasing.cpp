@@ -87,7 +87,7 @@ void TestErasing::followTheShape() {
     const int before = steps();
     eraseWith<Dim>(40);
     stroke<Dim>({0, 0}, {0.1, 0}, {}, false);
-    const auto shown = canvas.shownFrame()->material->phi;
+    const auto shown = posed<Dim>(canvas.shownFrame())->material->phi;
     QVERIFY(shown != painted);
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, canvas.toWidget(Bar<Dim>::place(0.1, 0)).toPoint());
     QVERIFY(settle(session));

@@ -166,8 +166,8 @@ void TestOutlineTools::limbsBecomeParts() {
     const auto& handles = designOf(*m_session->document().project()).handles;
     QCOMPARE(handles.size(), std::size_t(1));
     QCOMPARE(handles[0].part, std::string("photograph"));
-    QCOMPARE(partUnder<2>(*m_canvas, m_canvas->toWidget({30, 100}), false), 0);
-    QCOMPARE(partUnder<2>(*m_canvas, m_canvas->toWidget({100, 80}), false), -1);  // what is in front of it
+    QCOMPARE(partUnder(*m_canvas, m_canvas->toWidget({30, 100}), false), 0);
+    QCOMPARE(partUnder(*m_canvas, m_canvas->toWidget({100, 80}), false), -1);  // what is in front of it
     m_session->selection().set({0});
     QVERIFY(!m_session->mayChange(0));  // a drag beside the part does not take the ground along …
     m_session->beginDrag();
@@ -328,11 +328,11 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
 
 /// Pins, their motion and the material are told at rest: a new outline leaves them as they are.
 void TestOutlineTools::whatIsAtRestStays() {
-    const int pin = m_session->addPin({200, 100});
-    QVERIFY(pin >= 0 && m_session->addPin({60, 100}) >= 0);
+    const int pin = m_session->addPin({200, 100, 0});
+    QVERIFY(pin >= 0 && m_session->addPin({60, 100, 0}) >= 0);
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({20, 10});
+    m_session->dragBy({20, 10, 0});
     m_session->endDrag(0.2);
     const auto painted = copyOf(*m_session->document().project());
     designOf(*painted).material.regions.push_back({"stiff", Ball<3>{{100, 100, 0}, 30}, 4, 1.5, {}});
@@ -348,9 +348,9 @@ void TestOutlineTools::whatIsAtRestStays() {
     domainOf(*same) = domainOf(*before);
     QCOMPARE(toJson(*same), toJson(*before));
     m_session->playback().setTime(m_session->playback().end());
-    const auto pins = m_session->pins<2>();
+    const auto pins = m_session->pins();
     QCOMPARE(pins.size(), std::size_t(2));
-    QVERIFY((pins[pin].centre - Vec<2>(220, 110)).norm() < 0.5);
+    QVERIFY((pins[pin].centre - Vec3(220, 110, 0)).norm() < 0.5);
     m_session->document().undoStack()->undo();
     QCOMPARE(m_session->document().project(), before);
 }
@@ -380,7 +380,7 @@ void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
 }
 
 void TestOutlineTools::pinsBesideItGo() {
-    QVERIFY(m_session->addPin({60, 60}) >= 0 && m_session->addPin({250, 150}) >= 0);
+    QVERIFY(m_session->addPin({60, 60, 0}) >= 0 && m_session->addPin({250, 150, 0}) >= 0);
     QVERIFY(settle(*m_session));
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
@@ -470,10 +470,10 @@ void TestOutlineTools::gesturesAreGivenUp() {
 }
 
 void TestOutlineTools::drawnAtRest() {
-    const int pin = m_session->addPin({200, 100});
+    const int pin = m_session->addPin({200, 100, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({20, 10});
+    m_session->dragBy({20, 10, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     const double time = m_session->playback().time();
@@ -497,7 +497,7 @@ void TestOutlineTools::drawnAtRest() {
 void TestOutlineTools::finerWhereItIsBrushed() {
     Brush brush;
     brush.set({.radius = 80, .hardness = 1});  // 40 pixels of the picture
-    SizeTool<2> tool(*m_canvas, brush);
+    SizeTool tool(*m_canvas, brush);
     m_canvas->viewport().setTool(&tool);
     const auto meanEdge = [&](bool within) {
         const auto& rest = *m_session->frame<2>()->rest;

@@ -75,7 +75,7 @@ void TestPaintLayers::blends() {
     m_f->tool("gradient")->trigger();
     set([](BrushSettings& b) { b.phi = phi::conformal(Dim); });
     stroke<Dim>({-1, 0}, {1, 0.2}, {}, false);
-    const auto shown = Bar<Dim>::canvas(*m_f).shownFrame()->material->phi;
+    const auto shown = posed<Dim>(Bar<Dim>::canvas(*m_f).shownFrame())->material->phi;
     auto& canvas = Bar<Dim>::canvas(*m_f);
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, canvas.toWidget(Bar<Dim>::place(1, 0.2)).toPoint());
     QVERIFY(settle(session));
@@ -84,7 +84,7 @@ void TestPaintLayers::blends() {
         return std::get<Blend<Dim>>(regionIn<Dim>(regions<Dim>()[i].shape));
     };
     auto blend = blendOf(0);
-    const double pixel = canvas.pixelSize(Bar<Dim>::place(0, 0));
+    const double pixel = canvas.pixelSize(inSpace(Bar<Dim>::place(0, 0)));
     QVERIFY((blend.from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel &&
             (blend.to - Bar<Dim>::place(1, 0.2)).norm() < 2 * pixel);
     const auto frame = session.frame<Dim>();
@@ -113,7 +113,7 @@ void TestPaintLayers::blends() {
     QTest::mouseRelease(&canvas, Qt::LeftButton);
     stroke<Dim>({-1, 0}, {-1, 0});
     QCOMPARE(regions<Dim>().size(), std::size_t(1));
-    QVERIFY(canvas.shownFrame()->material->phi == shown);
+    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi == shown);
     // It may begin and end beside a picture's shape.
     stroke<Dim>({-1, 1.6}, {1, 1.6});
     QVERIFY(settle(session));

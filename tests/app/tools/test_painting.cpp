@@ -120,7 +120,7 @@ void TestPainting::softRegions() {
     QVERIFY(regions<Dim>().size() > 5);
     QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Rigid")));
     const Vec<Dim> a = Bar<Dim>::place(-1, 0), b = Bar<Dim>::place(0.5, 0.1);
-    const double R = 40 * Bar<Dim>::canvas(*m_f).pixelSize(a), pixel = R / 40;
+    const double R = 40 * Bar<Dim>::canvas(*m_f).pixelSize(inSpace(a)), pixel = R / 40;
     const auto toLine = [&](const Vec<Dim>& p) {
         const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
         return (p - a - t * (b - a)).norm();
@@ -179,14 +179,14 @@ void TestPainting::seenAtOnce() {
     stroke<Dim>({-1, 0}, {1, 0}, {}, false);
     QVERIFY(regions<Dim>().empty());
     QVERIFY(session.frame<Dim>()->material->phi == plain);
-    QVERIFY(canvas.shownFrame()->material->phi != plain);
+    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain);
     canvas.setFocus();
     QTest::keyClick(&canvas, Qt::Key_Escape);
-    QVERIFY(canvas.shownFrame()->material->phi == plain);
+    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi == plain);
     QTest::mouseRelease(&canvas, Qt::LeftButton);
     QVERIFY(regions<Dim>().empty());
     stroke<Dim>({-1, 0}, {1, 0});
-    const auto shown = canvas.shownFrame()->material->phi;
+    const auto shown = posed<Dim>(canvas.shownFrame())->material->phi;
     QVERIFY(shown != plain && session.isStale());
     QVERIFY(settle(session));
     QVERIFY(session.frame<Dim>()->material->phi == shown);
@@ -194,7 +194,7 @@ void TestPainting::seenAtOnce() {
     // The first of two strokes that follow each other at once stays.
     stroke<Dim>({-1, 0.3}, {-0.5, 0.3});
     m_f->window().actions().undo->trigger();
-    QVERIFY(canvas.shownFrame()->material->phi != plain || session.isStale());
+    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain || session.isStale());
     QVERIFY(settle(session));
     QVERIFY(session.frame<Dim>()->material->phi == shown);
 }
@@ -333,10 +333,10 @@ void TestPainting::stretchLess() {
     auto& session = m_f->session();
     for (const double side : {-1.0, 1.0}) {
         const Region<Dim> end = HalfSpace<Dim>{Bar<Dim>::place(1.8 * side, 0), side * Vec<Dim>::UnitX()};
-        session.addHandle<Dim>(end, "End");
+        session.addHandle(inSpace(end), "End");
     }
     session.selection().set({1});
-    session.moveSelected<Dim>(Grip{}, {Bar<Dim>::kUnit, 0, 0});
+    session.moveSelected(Grip{}, {Bar<Dim>::kUnit, 0, 0});
     QVERIFY(settle(session));
     const double plain = middleMoves<Dim>();
     QVERIFY(std::abs(plain - 0.5) < 0.03);  // by symmetry
@@ -527,7 +527,7 @@ void TestPainting::drawLines() {
     const int steps = session.document().undoStack()->count();
     QVERIFY(click(b, Qt::ShiftModifier));
     QCOMPARE(session.document().undoStack()->count(), steps + 1);
-    const double pixel = canvas.pixelSize(a), R = 20 * pixel;
+    const double pixel = canvas.pixelSize(inSpace(a)), R = 20 * pixel;
     std::vector<double> along;
     for (std::size_t i = 1; i < regions<Dim>().size(); ++i) {
         QCOMPARE(*regions<Dim>()[i].phi, phi::kAkvf);
@@ -764,15 +764,15 @@ void TestPainting::carryDirections() {
     const Vec<Dim> right = Vec<Dim>::UnitX(), middle = Bar<Dim>::place(0, 0);
     const Vec<Dim> up = (Bar<Dim>::place(0, 1) - middle).normalized();
     const Region<Dim> all = Box<Dim>{Vec<Dim>::Constant(-1000), Vec<Dim>::Constant(1000)};
-    session.addHandle<Dim>(all, "All");
+    session.addHandle(inSpace(all), "All");
     Grip turn{Grip::Kind::Turn};
     turn.centre.template head<Dim>() = middle;
     if (Dim == 3) turn.axis = -Vec<3>::UnitY();  // towards who looks: from right to up
-    session.moveSelected<Dim>(turn, {std::numbers::pi / 2, 0, 0});
+    session.moveSelected(turn, {std::numbers::pi / 2, 0, 0});
     for (const Vec<Dim>& step : {right, up}) {
         Amount amount = Amount::Zero();
         amount.template head<Dim>() = kStep * step;
-        session.moveSelected<Dim>(Grip{}, amount);
+        session.moveSelected(Grip{}, amount);
     }
     QVERIFY(settle(session));
     const auto frame = session.frame<Dim>();

@@ -76,8 +76,8 @@ bool TestPen::open(int dimension) {
     if (dimension == 3) {
         if (!m_f->holdEnds()) return false;
     } else {
-        session.addPin({40, 80});
-        session.addPin({200, 80});
+        session.addPin({40, 80, 0});
+        session.addPin({200, 80, 0});
         m_f->window().canvas().zoomTo(2);
     }
     session.selection().clear();
@@ -91,7 +91,7 @@ bool TestPen::open(int dimension) {
 QPoint TestPen::pin(int h) {
     if (isSolid()) return m_f->at(m_f->pin(h));
     for (const auto& view : m_f->session().pins())
-        if (view.handle == h) return m_f->window().canvas().toWidget(view.centre).toPoint();
+        if (view.handle == h) return m_f->window().canvas().onScreen(view.centre).toPoint();
     return {};
 }
 

@@ -64,8 +64,8 @@ class TestPinGestures : public QObject {
     }
     template <int Dim>
     Vec<Dim> pin(int handle) {
-        for (const auto& view : session().pins<Dim>(true))
-            if (view.handle == handle) return view.centre;
+        for (const auto& view : session().pins(true))
+            if (view.handle == handle) return view.centre.head<Dim>();
         return Vec<Dim>::Zero();
     }
     template <int Dim>
@@ -185,7 +185,7 @@ void TestPinGestures::setAndDrag() {
     const QPointF now = canvas.toWidget(pin<Dim>(1)), hand = from + way;
     QVERIFY2(QLineF(now, hand).length() < 2, qPrintable(QString::number(QLineF(now, hand).length())));
     const Points<Dim> bent = session().frame<Dim>()->pose;
-    QVERIFY((bent - before).colwise().norm().maxCoeff() > 20 * canvas.pixelSize(pin<Dim>(1)));
+    QVERIFY((bent - before).colwise().norm().maxCoeff() > 20 * canvas.pixelSize(inSpace(pin<Dim>(1))));
     undo().undo();
     QVERIFY(settle(session()));
     QCOMPARE(session().handleCount(), 1);
@@ -326,7 +326,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     const QPoint middle = at<Dim>(0.2);
     const auto held = [this] {
         std::size_t count = 0;
-        for (const auto& view : session().pins<Dim>())
+        for (const auto& view : session().pins())
             if (view.handle == 1) count = view.points.size();
         return count;
     };
@@ -349,7 +349,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     const Vec<Dim> before = pin<Dim>(1);
     m_f->tool("select")->trigger();
     QVERIFY(drag(Bar<Dim>::canvas(*m_f).toWidget(before).toPoint(), {0, -30}));
-    QVERIFY((pin<Dim>(1) - before).norm() > 10 * Bar<Dim>::canvas(*m_f).pixelSize(before));
+    QVERIFY((pin<Dim>(1) - before).norm() > 10 * Bar<Dim>::canvas(*m_f).pixelSize(inSpace(before)));
 }
 
 void TestPinGestures::pinsAreWidened() {
@@ -369,12 +369,12 @@ void TestPinGestures::widen() {
     const auto* region = std::get_if<Region<3>>(&session().document().design().handles[1].at);
     const auto* ball = region ? std::get_if<Ball<3>>(region) : nullptr;
     QVERIFY(ball);
-    const double pixel = canvas.pixelSize(middle);
+    const double pixel = canvas.pixelSize(inSpace(middle));
     QVERIFY2(std::abs(ball->radius - 70 * pixel) < 2 * pixel,
              qPrintable(QString::number(ball->radius / pixel)));
     QVERIFY((ball->centre - inSpace(middle)).norm() < 1e-9 * session().frame()->diagonal);
     // One that is wide rotates.
-    QVERIFY(session().pins<Dim>()[1].points.size() > 1);
+    QVERIFY(session().pins()[1].points.size() > 1);
     undo().undo();
     QVERIFY(drag(from, {4, 0}, Qt::AltModifier));  // nothing lies so near
     QCOMPARE(undo().count(), steps + 1);
@@ -401,7 +401,7 @@ void TestPinGestures::widenByGrip() {
         QCOMPARE(undo().index(), steps + 1);
         const Placement<3> wide = place();
         QVERIFY(std::holds_alternative<Region<3>>(wide));
-        QVERIFY(session().template pins<Dim>()[1].points.size() > std::size_t{Dim});
+        QVERIFY(session().pins()[1].points.size() > std::size_t{Dim});
         undo().undo();
         QVERIFY(settle(session()));
         const Placement<3> point = place();
@@ -412,11 +412,11 @@ void TestPinGestures::widenByGrip() {
 
 /// Returns the angle of the rotation that fits the points best: atan2(Σ x × y, Σ x · y) of their places at
 /// rest and now, from their means.
-double fittedAngle(const std::vector<Vec<2>>& before, const std::vector<Vec<2>>& after) {
-    const Vec<2> rest = meanOf<2>(before), now = meanOf<2>(after);
+double fittedAngle(const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
+    const Vec3 rest = meanOf(before), now = meanOf(after);
     double cross = 0, dot = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const Vec<2> x = before[i] - rest, y = after[i] - now;
+        const Vec3 x = before[i] - rest, y = after[i] - now;
         cross += x.x() * y.y() - x.y() * y.x(), dot += x.dot(y);
     }
     return std::atan2(cross, dot);
@@ -425,22 +425,20 @@ double fittedAngle(const std::vector<Vec<2>>& before, const std::vector<Vec<2>>&
 /// The angle of the shape around a pin.
 double TestPinGestures::angleAround(int handle, double reach) {
     const auto frame = session().frame<2>();
-    std::vector<Vec<2>> before, after;
+    std::vector<Vec3> before, after;
     for (int v = 0; v < frame->rest->vertexCount(); ++v) {
         if ((frame->pose.col(v) - pin<2>(handle)).norm() >= reach) continue;
-        before.emplace_back(frame->rest->points.col(v));
-        after.emplace_back(frame->pose.col(v));
+        before.push_back(frame->restVertex(v));
+        after.push_back(frame->vertex(v));
     }
     return fittedAngle(before, after);
 }
 
 /// The angle of the points that a pin holds.
 double TestPinGestures::angleOf(int handle) {
-    const PinView<2> view = session().pins<2>()[static_cast<std::size_t>(handle)];
-    const auto frame = session().frame<2>();
-    std::vector<Vec<2>> before;
-    for (const Location<2>& place : view.places)
-        before.push_back(positionOf<2>(place, *frame->rest, frame->rest->points));
+    const PinView view = session().pins()[static_cast<std::size_t>(handle)];
+    std::vector<Vec3> before;
+    for (const Place& place : view.places) before.push_back(session().frame()->restAt(place));
     return fittedAngle(before, view.points);
 }
 
@@ -556,8 +554,8 @@ void TestPinGestures::arrowsFollowTheScreen() {
     file.close();
     QVERIFY(m_f->openFile(path));
     QCOMPARE(session().document().dimension(), 2);
-    QVERIFY(session().addPin<2>(Vec<2>(0.5, 0.5)) == 0);
-    QVERIFY(session().addPin<2>(Vec<2>(0.1, 0.1)) == 1);
+    QVERIFY(session().addPin(Vec3(0.5, 0.5, 0)) == 0);
+    QVERIFY(session().addPin(Vec3(0.1, 0.1, 0)) == 1);
     m_f->tool("select")->trigger();
     QVERIFY(settle(session()));
     const QPointF before = m_f->window().canvas().toWidget(pin<2>(1));
@@ -674,7 +672,7 @@ void TestPinGestures::widenByNumber() {
     QVERIFY((points->front() - inSpace(Bar<Dim>::place(0.8, 0))).norm() < 0.1 * Bar<Dim>::kUnit);
     QVERIFY(settle(session()));
     QVERIFY(radius->isVisible() && radius->value() == 0);
-    QCOMPARE(session().template pins<Dim>()[1].points.size(), 1U);
+    QCOMPARE(session().pins()[1].points.size(), 1U);
     session().selection().set({0});
     QVERIFY(radius->isVisible() && radius->value() == 0);
 }
@@ -701,7 +699,7 @@ void TestPinGestures::sizeBeside() {
         size->setValue(across);
         session().selection().clear();
         drag(at<Dim>(0), QPoint(1, 0));
-        return session().template pins<Dim>().back().points.size();
+        return session().pins().back().points.size();
     };
     const auto few = held(50);
     m_f->tool("grabBrush")->trigger();

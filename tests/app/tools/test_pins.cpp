@@ -124,8 +124,8 @@ bool TestPins::open() {
 
 template <int Dim>
 Vec<Dim> TestPins::pin(int handle) {
-    for (const auto& view : session().pins<Dim>(true))
-        if (view.handle == handle) return view.centre;
+    for (const auto& view : session().pins(true))
+        if (view.handle == handle) return view.centre.head<Dim>();
     return Vec<Dim>::Zero();
 }
 
@@ -187,7 +187,7 @@ void TestPins::lock() {
     pins().lock->trigger();
     QVERIFY(settle(session()) && !traits(2).locked);
     QVERIFY(drag<Dim>(2, {0, -40}));
-    QVERIFY((pin<Dim>(2) - place).norm() > 20 * canvas.pixelSize(place));
+    QVERIFY((pin<Dim>(2) - place).norm() > 20 * canvas.pixelSize(inSpace(place)));
     session().selection().set({0, 1});  // of several the others go
     clickSign(*list().rowOf(0), PinList::Lock);
     QVERIFY(traits(0).locked && traits(1).locked);
@@ -315,7 +315,7 @@ void TestPins::link() {
     QVERIFY(drag<Dim>(0, {12, -40}));
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
     const Vec<Dim> by = pin<Dim>(0) - before[0];
-    QVERIFY(by.norm() > 30 * Bar<Dim>::canvas(*m_f).pixelSize(before[0]));
+    QVERIFY(by.norm() > 30 * Bar<Dim>::canvas(*m_f).pixelSize(inSpace(before[0])));
     QVERIFY((pin<Dim>(2) - before[2] - by).norm() < 1e-9 * session().frame()->diagonal);
     QVERIFY((pin<Dim>(1) - before[1]).norm() < 1e-9 * session().frame()->diagonal);
     m_f->window().actions().undo->trigger();
@@ -348,7 +348,7 @@ void TestPins::mirror() {
     QVERIFY(settle(session()));
     QCOMPARE(session().handleCount(), 3);
     QCOMPARE(session().selection().handles(), std::vector<int>{2});
-    const double middle = Bar<Dim>::place(0, 0).x(), pixel = Bar<Dim>::canvas(*m_f).pixelSize(rest);
+    const double middle = Bar<Dim>::place(0, 0).x(), pixel = Bar<Dim>::canvas(*m_f).pixelSize(inSpace(rest));
     Vec<Dim> expected = rest + way;
     expected.x() = 2 * middle - expected.x();
     QVERIFY2((pin<Dim>(2) - expected).norm() < (Dim == 2 ? 0.01 * pixel : 0.02 * session().frame()->diagonal),
@@ -483,7 +483,7 @@ void TestPins::setByKeys() {
     if (Dim == 2) QCOMPARE(session().handleCount(), 1);  // within reach of the pin: it is selected
     QVERIFY(!session().selection().isEmpty());
     for (int i = 0; i < 8; ++i) {  // more than the list has room for: the new one is seen in it
-        session().addPin<Dim>(session().frame<Dim>()->pose.col(7 * i));
+        session().addPin(session().frame()->vertex(7 * i));
         const QTreeWidget& rows = *list().list();
         QVERIFY(
             rows.viewport()->rect().contains(rows.visualItemRect(list().rowOf(session().handleCount() - 1))));
@@ -566,7 +566,9 @@ void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
     velocity(0, 0) = 1;  // the fastest one's arrow is 30 long
     auto material = std::make_shared<Material<2>>(*frame->material);
     material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<2>({Vec3::UnitX(), 4}));
-    canvas.showMaterial(material, true);
+    auto painted = std::make_shared<PosedFrame<2>>(*frame);
+    painted->material = material;
+    canvas.showMaterial(painted, true);
     const double ellipse = 2 * (6 + 12 * std::log(4) / std::log(100));
     for (const double factor : {1.0, 2.0}) {
         setMarkSize(factor);
@@ -620,7 +622,7 @@ void TestPins::glyphsAreAsLargeAsChosen() {
 void TestPins::brushesKeepTheirRadius() {
     QVERIFY(open<2>());
     Brush tip;
-    PaintTool<2> brush(m_f->window().canvas(), tip, PaintTool<2>::Deed::Paint);
+    PaintTool brush(m_f->window().canvas(), tip, PaintTool::Deed::Paint);
     const QPointF at(200, 200);
     QMouseEvent move(QEvent::MouseMove, at, at, Qt::NoButton, Qt::NoButton, {});
     brush.move(move);

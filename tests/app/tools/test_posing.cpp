@@ -71,7 +71,7 @@ class TestPosing : public QObject {
     const Project& project() { return *session().document().project(); }
     const std::vector<Pin>& handles() { return session().document().design().handles; }
     QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
-    Vec<2> pin(int h) { return session().pins()[h].centre; }
+    Vec<2> pin(int h) { return inPlane(session().pins()[h].centre); }
     double pixel() { return 1 / canvas().view().zoom(); }
     const PinActions& pinActions() { return *m_window->findChild<PinActions*>(); }
     void click(const Vec<2>& p) { QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(p)); }
@@ -353,8 +353,8 @@ void TestPosing::ringRotatesAndScales() {
     QVERIFY((pin(1) - centre).norm() < 0.5);
     const auto turned = session().pins()[1].points;
     for (std::size_t i = 0; i < turned.size(); ++i) {
-        const Vec<2> hub = inPlane(turn->centre), arm = before[i] - hub;
-        QVERIFY((turned[i] - hub - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
+        const Vec<2> hub = inPlane(turn->centre), arm = inPlane(before[i]) - hub;
+        QVERIFY((inPlane(turned[i]) - hub - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
     }
     press(ringSpot(1, 31, 31), ringSpot(1, 24, 24));
     release(ringSpot(1, 24, 24));
@@ -471,9 +471,9 @@ void TestPosing::numbersMoveTurnAndGrow() {
     QVERIFY(after.size() > 2);
     const Mat<2> turn = Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix();
     for (std::size_t i = 0; i < after.size(); ++i) {
-        const Vec<2> expected = centre + 1.25 * (turn * (before[i] + by - centre));
-        QVERIFY2((after[i] - expected).norm() < 1e-6,
-                 qPrintable(QString::number((after[i] - expected).norm())));
+        const Vec<2> expected = centre + 1.25 * (turn * (inPlane(before[i]) + by - centre));
+        QVERIFY2((inPlane(after[i]) - expected).norm() < 1e-6,
+                 qPrintable(QString::number((inPlane(after[i]) - expected).norm())));
     }
     QVERIFY(panel->findChild<QLabel*>(QStringLiteral("pinPlace"))
                 ->text()
@@ -609,7 +609,7 @@ void TestPosing::partsAreHeldByOutlines() {
     drag(inside, inside + Vec<2>(0, 9));
     const auto after = session().pins()[2].points;
     for (std::size_t i = 0; i < before.size(); ++i)
-        QVERIFY((after[i] - before[i] - Vec<2>(0, 9)).norm() < 2 * pixel());
+        QVERIFY((after[i] - before[i] - Vec3(0, 9, 0)).norm() < 2 * pixel());
     const std::string text = toJson(project());
     QUndoStack& undo = *session().document().undoStack();
     undo.undo();

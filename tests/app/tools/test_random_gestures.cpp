@@ -157,8 +157,8 @@ QString TestRandomGestures::wrongInShape() {
             if (!pin.centre.allFinite()) return QStringLiteral("pin %1 is nowhere").arg(pin.handle);
         return {};
     };
-    return session().document().dimension() == 2 ? wrong(session().frame<2>(), session().pins<2>())
-                                                 : wrong(session().frame<3>(), session().pins<3>());
+    return session().document().dimension() == 2 ? wrong(session().frame<2>(), session().pins())
+                                                 : wrong(session().frame<3>(), session().pins());
 }
 
 /// Every step is looked at as it is gone: back and forth it leads to where it led before.

@@ -175,7 +175,7 @@ void TestSpaceAreas::halfSpacesAreHeld() {
 
 void TestSpaceAreas::regionsAreEditedByNumbers() {
     const Region<3> ball = Ball<3>{{2, 0, 0}, 0.6};
-    m_f->session().addHandle<3>(ball, "Region");
+    m_f->session().addHandle(ball, "Region");
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<RegionPanel*>();
     QVERIFY(panel && panel->isVisible());
@@ -205,7 +205,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     QVERIFY(held() > few && count().endsWith(QStringLiteral(" ") + QString::number(held())));
     QVERIFY(m_f->session().document().undoStack()->count() <= steps + 1);  // one step for all
     m_f->actions().oblique->trigger();
-    m_f->session().moveSelected<3>(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
+    m_f->session().moveSelected(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("region"));
     type(0, QStringLiteral("50"));  // from 50 to 2.6: nothing is in it
@@ -242,7 +242,7 @@ void TestSpaceAreas::controlClickTakesOneVertexAway() {
 
 void TestSpaceAreas::measuresAtAnyPoint() {
     m_f->tool("measure")->trigger();
-    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
+    const auto& tool = *static_cast<MeasureTool*>(m_f->canvas().viewport().tool());
     const Vec<3> a(-1.13, -0.5, 0.11), b(0.71, -0.5, -0.23);  // no vertices
     m_f->click(m_f->at(a));
     m_f->click(m_f->at(b));
@@ -282,7 +282,7 @@ void TestSpaceAreas::sizesAndValuesAreTold() {
 void TestSpaceAreas::velocityIsTheFieldItself() {
     QVERIFY(m_f->holdEnds());
     ShapeSession& session = m_f->session();
-    session.moveSelected<3>(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
+    session.moveSelected(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
     QVERIFY(settle(session));
     m_f->window().actions().showArrows->setChecked(true);
     for (const double time : {0.5, 1.0}) {

@@ -45,7 +45,7 @@ void TestSpaceTools::init() {
 /// The right end goes up and to the side along a curve.
 bool TestSpaceTools::makeCurve() {
     if (!m_f->holdEnds()) return false;
-    m_f->session().moveSelected<3>(Grip{}, {-0.4, 0, 1});
+    m_f->session().moveSelected(Grip{}, {-0.4, 0, 1});
     if (!settle(m_f->session())) return false;
     m_f->window().curves().make->trigger();
     return settle(m_f->session()) && curve().size() == 4;
@@ -279,7 +279,7 @@ void TestSpaceTools::hiddenPinsAreSelectedThrough() {
         const Vec<3> p = frame->pose.col(v);
         if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
     }
-    m_f->session().addHandle<3>(m_f->session().placementOf({back}), "Pin");
+    m_f->session().addHandle(m_f->session().placementOf({back}), "Pin");
     QVERIFY(settle(m_f->session()));
     m_f->session().selection().clear();
     m_f->window().actions().selectTool->trigger();

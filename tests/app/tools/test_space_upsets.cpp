@@ -54,7 +54,7 @@ void TestSpaceUpsets::init() {
 /// The right end goes up and to the side along a curve.
 bool TestSpaceUpsets::makeCurve() {
     if (!m_f->holdEnds()) return false;
-    m_f->session().moveSelected<3>(Grip{}, {-0.4, 0, 1});
+    m_f->session().moveSelected(Grip{}, {-0.4, 0, 1});
     if (!settle(m_f->session())) return false;
     m_f->window().curves().make->trigger();
     return settle(m_f->session()) && curve().size() == 4;
@@ -167,7 +167,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     QVERIFY(m_f->holdEnds());
     for (const int handle : {0, 1}) {
         m_f->session().selection().set({handle});
-        m_f->session().moveSelected<3>(Grip{}, {handle == 0 ? 0.4 : -0.4, 0, 1});
+        m_f->session().moveSelected(Grip{}, {handle == 0 ? 0.4 : -0.4, 0, 1});
         QVERIFY(settle(m_f->session()));
         m_f->window().curves().make->trigger();
         QVERIFY(settle(m_f->session()));
@@ -211,7 +211,7 @@ void TestSpaceUpsets::takingAwayFromNothingIsTold() {
 
 void TestSpaceUpsets::framesLeaveWhatIsTyped() {
     QVERIFY(makeCurve());
-    m_f->session().addHandle<3>(Ball<3>{{0, 0, 0}, 0.6}, "Region");
+    m_f->session().addHandle(Ball<3>{{0, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
     const auto keeps = [this](ExactBox* box) {
         box->setFocus();
@@ -234,7 +234,7 @@ void TestSpaceUpsets::framesLeaveWhatIsTyped() {
 void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     QVERIFY(makeCurve());
     const Ball<3> ball{{0.123456789, 0.1, -0.0123456789}, 0.6123456789};
-    m_f->session().addHandle<3>(ball, "Region");
+    m_f->session().addHandle(ball, "Region");
     QVERIFY(settle(m_f->session()));
     box<RegionPanel>(1)->setValue(0.2);
     const auto now = std::get<Ball<3>>(std::get<Region<3>>(m_f->handles()[2].at));

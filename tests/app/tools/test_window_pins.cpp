@@ -60,7 +60,7 @@ void TestWindowPins::clickPinsAndDragMoves() {
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 105));
     QVERIFY(settle(m_window->session()));
     const double pixel = 1 / m_window->canvas().view().zoom();
-    QVERIFY((m_window->session().pins()[1].centre - Vec<2>(190, 105)).norm() < 2 * pixel);
+    QVERIFY((m_window->session().pins()[1].centre - Vec3(190, 105, 0)).norm() < 2 * pixel);
     QVERIFY(m_window->isWindowModified());
 }
 
@@ -128,16 +128,16 @@ void TestWindowPins::arrowsNudge() {
     click(40, 80);
     click(200, 80);
     const int steps = m_window->session().document().undoStack()->count();
-    const Vec<2> before = m_window->session().pins()[1].centre;
+    const Vec3 before = m_window->session().pins()[1].centre;
     QTest::keyClick(&m_window->canvas(), Qt::Key_Right);
     QTest::keyClick(&m_window->canvas(), Qt::Key_Down, Qt::ShiftModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY((m_window->session().pins()[1].centre - before - Vec<2>(1, 10)).norm() < 1e-6);
+    QVERIFY((m_window->session().pins()[1].centre - before - Vec3(1, 10, 0)).norm() < 1e-6);
     QCOMPARE(m_window->session().document().undoStack()->count(), steps + 1);
     for (int i = 0; i < 3; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Left);
     for (int i = 0; i < 4; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Up);
     QVERIFY(settle(m_window->session()));
-    QVERIFY((m_window->session().pins()[1].centre - before - Vec<2>(-2, 6)).norm() < 1e-6);
+    QVERIFY((m_window->session().pins()[1].centre - before - Vec3(-2, 6, 0)).norm() < 1e-6);
 }
 
 void TestWindowPins::deleteRemoves() {
@@ -216,7 +216,7 @@ void TestWindowPins::doublePressTakesThePinOnItsCurve() {
     QVERIFY(openWithCurve());
     m_window->session().playback().setTime(0.5);
     QVERIFY(settle(m_window->session()));
-    const Vec<2> pin = m_window->session().pins()[1].centre;
+    const Vec3 pin = m_window->session().pins()[1].centre;
     QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(pin.x(), pin.y()));
     QVERIFY(settle(m_window->session()));
     QCOMPARE(lastCurve(m_window->session().document().design(), 1)->points.size(), std::size_t(4));

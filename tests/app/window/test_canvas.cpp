@@ -152,10 +152,10 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
     };
     QVERIFY(seen());
     const double zoom = m_canvas->view().zoom();
-    const int pin = m_session->addPin({40, 80});
+    const int pin = m_session->addPin({40, 80, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({300, -400});
+    m_session->dragBy({300, -400, 0});
     m_session->endDrag(0.5);
     QVERIFY(settle(*m_session));
     QVERIFY(seen() && m_canvas->view().zoom() < 0.9 * zoom);
@@ -192,11 +192,11 @@ void TestCanvas::middleDragPans() {
 }
 
 void TestCanvas::pictureIsWhatAnExportWrites() {
-    const int pin = m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    const int pin = m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({0, 20});
+    m_session->dragBy({0, 20, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
@@ -520,7 +520,7 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
 
 /// Clicked points are carried along by the shape: what is told is their distance now and at rest.
 void TestCanvas::lengthsAndAnglesAreMeasured() {
-    MeasureTool<2> tool(*m_canvas);
+    MeasureTool tool(*m_canvas);
     m_canvas->viewport().setTool(&tool);
     const auto click = [&](double x, double y, Qt::KeyboardModifiers keys = {}) {
         QTest::mouseClick(m_canvas.get(), Qt::LeftButton, keys, m_canvas->toWidget({x, y}).toPoint());
@@ -532,14 +532,14 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
     click(5, 5);  // beside the shape
     click(60, 80);
     click(180, 80);
-    const double pixel = m_canvas->pixelSize({60, 80});
+    const double pixel = m_canvas->pixelSize({60, 80, 0});
     QVERIFY2(std::abs(told(1) - 120) < 2 * pixel, qPrintable(tool.text()));
     QVERIFY(tool.text().startsWith(QStringLiteral("length")) && tool.text().endsWith(QStringLiteral(" px")));
-    const int pin = m_session->addPin({40, 80});
-    m_session->addPin({200, 80});
+    const int pin = m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({0, 30});
+    m_session->dragBy({0, 30, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY2(tool.text().isEmpty(), qPrintable(tool.text()));  // pins are vertices: another mesh
@@ -620,11 +620,11 @@ void TestCanvas::bendFar() {
     setVertices(m_session->document(), 400);
     changeSetting(m_session->document(), "material.memory", 0);
     QVERIFY(settle(*m_session));
-    m_session->addPin({40, 80});
-    const int pin = m_session->addPin({200, 80});
+    m_session->addPin({40, 80, 0});
+    const int pin = m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({-40, -70});
+    m_session->dragBy({-40, -70, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
     m_session->selection().clear();
@@ -639,7 +639,7 @@ QPoint TestCanvas::pixelAt(const Vec<2>& p) const {
 void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     bendFar();
     m_session->selection().set({0, 1});  // so that every place lies elsewhere
-    m_session->moveSelected<2>({}, {0, -45, 0});
+    m_session->moveSelected({}, {0, -45, 0});
     m_session->selection().clear();
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
@@ -686,10 +686,10 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
         designOf(*next).handles = {end};
         m_session->document().change(QStringLiteral("Hold"), next);
         QVERIFY(settle(*m_session));
-        const auto border = regionBorder(end, m_session->pins<2>().front(), *m_session->frame<2>());
+        const auto border = regionBorder(end, m_session->pins().front(), *m_session->frame<2>());
         QCOMPARE(border.size(), std::size_t(4));
         double left = 1e9, right = 0;
-        for (const Vec<2>& p : border) {
+        for (const Vec3& p : border) {
             QVERIFY2(p.y() > 45 && p.y() < 115, qPrintable(QString::number(p.y())));
             left = std::min(left, p.x()), right = std::max(right, p.x());
         }
@@ -700,9 +700,9 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
 /// Twenty pixels beside the pin that is pointed at, once the pointer has stayed there, and no longer.
 void TestCanvas::namesOfPinsWaitForAMoment() {
     PinChoice choice;
-    PinTool<2> tool(*m_canvas, choice, true);
+    PinTool tool(*m_canvas, choice, true);
     m_canvas->viewport().setTool(&tool);
-    const int pin = m_session->addPin({40, 80});
+    const int pin = m_session->addPin({40, 80, 0});
     m_session->selection().clear();
     QTRY_VERIFY(m_canvas->isSettled());
     const QPoint at = m_canvas->toWidget({40, 80}).toPoint();

@@ -235,11 +235,11 @@ void TestCanvasPictures::open(const QString& path) {
 }
 
 void TestCanvasPictures::bend() {
-    const int pin = m_session->addPin({0.2 * kWidth, 0.3 * kHeight});
-    m_session->addPin({0.8 * kWidth, 0.7 * kHeight});
+    const int pin = m_session->addPin({0.2 * kWidth, 0.3 * kHeight, 0});
+    m_session->addPin({0.8 * kWidth, 0.7 * kHeight, 0});
     m_session->selection().set({pin});
     m_session->beginDrag();
-    m_session->dragTo({90, 60});
+    m_session->dragBy({90, 60, 0});
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
 }
@@ -386,7 +386,7 @@ void TestCanvasPictures::openCutOut(const QImage& image) {
 void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec<2>& by) {
     m_session->selection().set(pins);
     m_session->beginDrag();
-    m_session->dragTo(by);
+    m_session->dragBy(inSpace(by));
     m_session->endDrag(0.2);
     QVERIFY(settle(*m_session));
 }
@@ -450,8 +450,8 @@ void TestCanvasPictures::partsAndHolesAreBentAndExported() {
         return 255 * most;
     };
     openCutOut(drawn({}, {}));
-    const int left = m_session->addPin({48, 100}), right = m_session->addPin({132, 100}),
-              other = m_session->addPin({265, 95});
+    const int left = m_session->addPin({48, 100, 0}), right = m_session->addPin({132, 100, 0}),
+              other = m_session->addPin({265, 95, 0});
     QVERIFY(left >= 0 && right >= 0 && other >= 0);
     drag({left, right, other}, {20, 31});
     QVERIFY2(difference({20, 31}, {20, 31}) < 3, qPrintable(QString::number(difference({20, 31}, {20, 31}))));
@@ -477,8 +477,8 @@ void TestCanvasPictures::limbOverTheBodyIsWhole() {
     painter.drawLine(QPointF(90, 180), QPointF(300, 180));
     painter.end();
     openCutOut(image);
-    const int hand = m_session->addPin({126, 41});
-    QVERIFY(hand >= 0 && m_session->addPin({250, 180}) >= 0 && m_session->addPin({120, 180}) >= 0);
+    const int hand = m_session->addPin({126, 41, 0});
+    QVERIFY(hand >= 0 && m_session->addPin({250, 180, 0}) >= 0 && m_session->addPin({120, 180, 0}) >= 0);
     drag({hand}, {60, 130});
     canvasIsExported();
     const QImage file = exported({361, 227, Vec<2>::Zero(), 1});

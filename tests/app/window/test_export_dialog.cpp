@@ -111,11 +111,11 @@ void TestExportDialog::open(const QString& picture) {
 
 /// Two pins, the right one dragged.
 void TestExportDialog::bend(double dx, double dy) {
-    session().addPin({40, 80});
-    session().addPin({200, 80});
+    session().addPin({40, 80, 0});
+    session().addPin({200, 80, 0});
     QVERIFY(settle(session()));
     session().beginDrag();
-    session().dragTo<2>({dx, dy});
+    session().dragBy({dx, dy, 0});
     session().endDrag(0.5);
     QVERIFY(settle(session()));
 }
@@ -287,8 +287,8 @@ void TestExportDialog::cropsAreToldSideBySide() {
     const QString atTop = QStringLiteral("%1 px at the top").arg(std::ceil(top));
     QVERIFY2(told(ExportKind::Picture).endsWith(": " + atTop + '.'), qPrintable(told(ExportKind::Picture)));
     session().beginDrag();
-    session().dragTo<2>({0, 220});
-    session().dragTo<2>({0, 110});
+    session().dragBy({0, 220, 0});
+    session().dragBy({0, 110, 0});
     session().endDrag(0.5);
     QVERIFY(settle(session()));
     QCOMPARE(told(ExportKind::Picture), QString());

@@ -87,13 +87,13 @@ void TestExportPanel::pictureAndSolid() {
 /// Of the picture: the left end stands, the right one is dragged.
 bool TestExportPanel::bend(double dx, double dy) {
     ShapeSession& session = m_f->session();
-    if (session.pins<2>().empty()) {
-        session.addPin({40, 80});
-        session.addPin({200, 80});
+    if (session.pins().empty()) {
+        session.addPin({40, 80, 0});
+        session.addPin({200, 80, 0});
         if (!settle(session)) return false;
     }
     session.beginDrag();
-    session.dragTo<2>({dx, dy});
+    session.dragBy({dx, dy, 0});
     session.endDrag(0.5);
     return settle(session);
 }

@@ -122,7 +122,7 @@ void TestFilmTask::show(double time) {
 
 Vec<2> TestFilmTask::pin(int handle) {
     for (const auto& view : session().pins())
-        if (view.handle == handle) return view.centre;
+        if (view.handle == handle) return inPlane(view.centre);
     return Vec<2>::Zero();
 }
 

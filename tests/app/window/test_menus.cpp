@@ -236,11 +236,11 @@ void TestMenus::refusedDragsStayWithTheShape() {
     ShapeSession& session = m_window->session();
     session.selection().set({1});
     session.beginDrag();
-    for (int i = 1; i <= 8; ++i) session.dragTo<2>({-8.0 * i, 0});
+    for (int i = 1; i <= 8; ++i) session.dragBy({-8.0 * i, 0, 0});
     QVERIFY(QTest::qWaitFor([&] { return session.frame()->stopped; }, 30000));
     QVERIFY(session.gesture()->isStopped());
     const auto shown = session.frame<2>();
-    const Vec<2> pin = session.pins()[1].centre;
+    const Vec<2> pin = inPlane(session.pins()[1].centre);
     const double gap = (shown->pose.colwise() - pin).colwise().norm().minCoeff();
     QVERIFY2(gap < 1e-6, qPrintable(QString::number(gap)));
     session.cancelDrag();

@@ -242,7 +242,7 @@ void TestModes::selectingMovesNothing() {
     if (solid)
         QVERIFY(m_f->holdEnds());
     else
-        m_f->session().addPin({120, 80});
+        m_f->session().addPin({120, 80, 0});
     tools().setMode(Mode::Pins);
     QVERIFY(settle(m_f->session()));
     Selection& selection = m_f->session().selection();
@@ -270,8 +270,8 @@ void TestModes::selectingMovesNothing() {
     QVERIFY(asksForAPin());
     if (solid) return;
     // There is room for what needs more.
-    m_f->session().addPin({160, 80});
-    widenPin<2>(m_f->session(), 0, 20);
+    m_f->session().addPin({160, 80, 0});
+    widenPin(m_f->session(), 0, 20);
     selection.set({0});
     QCOMPARE(places(), before);
     selection.set({1});
@@ -499,11 +499,11 @@ void TestModes::backslashShowsTheShapeBefore() {
     const QImage before = seen();
     if (solid) {
         QVERIFY(m_f->holdEnds());
-        session.moveSelected<3>(Grip{}, {0, 0, 0.8});
+        session.moveSelected(Grip{}, {0, 0, 0.8});
     } else {
-        for (const double x : {40, 200}) session.addPin<2>({x, 80});
+        for (const double x : {40, 200}) session.addPin({x, 80, 0});
         session.selection().set({1});
-        session.moveSelected<2>(Grip{}, {0, 25, 0});
+        session.moveSelected(Grip{}, {0, 25, 0});
     }
     QVERIFY(settle(session));
     const QImage bent = seen();

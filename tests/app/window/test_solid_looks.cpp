@@ -451,27 +451,27 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     const auto addAt = [&](const Vec<3>& p) {
         const auto touched = canvas().touch(canvas().toWidget(p));
         QVERIFY(touched);
-        session().addPin<3>(std::optional(touched->place));
+        session().addPin(std::optional(touched->place));
         QVERIFY(settle(session()));
     };
     addAt({1, -0.5, 0.1});
     const int front = static_cast<int>(session().document().design().handles.size()) - 1;
     const auto view = [&](int handle) {
-        const auto pins = session().pins<3>();
-        return *std::ranges::find(pins, handle, &PinView<3>::handle);
+        const auto pins = session().pins();
+        return *std::ranges::find(pins, handle, &PinView::handle);
     };
-    QVERIFY(!isMarkCovered<3>(canvas(), view(front)));
-    QVERIFY(!isMarkCovered<3>(canvas(), view(0)));  // an area of all
+    QVERIFY(!isMarkCovered(canvas(), view(front)));
+    QVERIFY(!isMarkCovered(canvas(), view(0)));  // an area of all
     canvas().setCutKind(CutKind::Exact);
     canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
     addAt({-1, 0.1, 0.1});  // on the face of the cut
-    QVERIFY(isMarkCovered<3>(canvas(), view(front)));
-    QVERIFY(!isMarkCovered<3>(canvas(), view(front + 1)));
-    QVERIFY(!isMarkCovered<3>(canvas(), view(0)));  // some of it is there
-    const QPointF mark = canvas().toWidget(view(front).centre);
-    QCOMPARE(markUnder<3>(canvas(), mark, false), front);  // where nothing else is
+    QVERIFY(isMarkCovered(canvas(), view(front)));
+    QVERIFY(!isMarkCovered(canvas(), view(front + 1)));
+    QVERIFY(!isMarkCovered(canvas(), view(0)));  // some of it is there
+    const QPointF mark = canvas().onScreen(view(front).centre);
+    QCOMPARE(markUnder(canvas(), mark, false), front);  // where nothing else is
     canvas().setCutPlane({Vec<3>(0, 2, 0), -Vec<3>::UnitY()});
-    QVERIFY(isMarkCovered<3>(canvas(), view(0)));
+    QVERIFY(isMarkCovered(canvas(), view(0)));
     // Of whole cells some reach beyond the plane.
     canvas().setCutKind(CutKind::WholeCells);
     canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});

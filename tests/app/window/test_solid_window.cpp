@@ -217,7 +217,7 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
     QCOMPARE(m_f->handles().size(), std::size_t(2));
     QVERIFY(m_f->session().selection().isEmpty());
     QVERIFY(settle(m_f->session()));
-    const Vec<3> pin = m_f->session().pins<3>()[1].centre;
+    const Vec3 pin = m_f->session().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QVERIFY(m_f->session().selection().contains(1));
     // The arrow of z stands upright over the pin.
@@ -229,7 +229,7 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
     m_f->picture(QStringLiteral("drag"));
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, tip - QPoint(6, 48));
     QVERIFY(settle(m_f->session()));
-    const Vec<3> moved = m_f->session().pins<3>()[1].centre;
+    const Vec3 moved = m_f->session().pins()[1].centre;
     QVERIFY(std::abs(moved.x() - pin.x()) < 1e-9 && std::abs(moved.y() - pin.y()) < 1e-9);
     QVERIFY(std::abs(moved.z() - pin.z() - 48 * m_f->canvas().pixelSize(pin)) <
             3 * m_f->canvas().pixelSize(pin));
@@ -241,7 +241,7 @@ void TestSolidWindow::escapeRestoresAndUndoTakesBack() {
     QVERIFY(m_f->open());
     holdEnds();
     const Points<3> before = m_f->session().frame<3>()->pose;
-    const Vec<3> pin = m_f->session().pins<3>()[1].centre;
+    const Vec3 pin = m_f->session().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&m_f->canvas(), m_f->at(pin) - QPoint(0, 8 * i));
@@ -262,7 +262,7 @@ void TestSolidWindow::typedNumbersAreExact() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    const Vec<3> pin = m_f->session().pins<3>()[1].centre;
+    const Vec3 pin = m_f->session().pins()[1].centre;
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     for (const QPoint& wander : {QPoint(9, 9), QPoint(40, -5), QPoint(20, 30), QPoint(9, 9)})
         QTest::mouseMove(&m_f->canvas(), m_f->at(pin) + wander);
@@ -270,9 +270,9 @@ void TestSolidWindow::typedNumbersAreExact() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_Return);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin) + QPoint(9, 9));
     QVERIFY(settle(m_f->session()));
-    QVERIFY((m_f->session().pins<3>()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
+    QVERIFY((m_f->session().pins()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
     // Who types a number wants the straight way, not the hand's.
-    const auto way = pinPaths<3>(m_f->handles()[1], {pin}).front().points;
+    const auto way = pinPaths(m_f->handles()[1], {pin}, 3).front().points;
     for (const Vec<3>& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
 }
 
@@ -317,7 +317,7 @@ void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
     };
     {
         const AddressLimit limit(450);
-        m_f->session().moveSelected<3>({}, {0, 0, 0.3});
+        m_f->session().moveSelected({}, {0, 0, 0.3});
         QVERIFY(QTest::qWaitFor([&] { return m_f->session().lacksMemory(); }, 60000));
     }
     QVERIFY(m_f->window().banner().text().contains(QStringLiteral("memory")));
@@ -356,9 +356,9 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->session().selection().set({1});
     Grip grip;
     grip.kind = Grip::Kind::Turn;
-    grip.centre = m_f->session().pins<3>()[1].centre;
+    grip.centre = m_f->session().pins()[1].centre;
     grip.axis = Vec<3>::UnitX();
-    m_f->session().moveSelected<3>(grip, {M_PI / 2, 0, 0});
+    m_f->session().moveSelected(grip, {M_PI / 2, 0, 0});
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().frame()->distortion->flips, 0);
     // A corner of the turned end has gone a quarter of a circle: y → z.
@@ -372,7 +372,7 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->window().findChild<PinActions*>()->turn->trigger();
     m_f->picture(QStringLiteral("twist"));
     grip.kind = Grip::Kind::Grow;
-    m_f->session().moveSelected<3>(grip, {0.5, 0, 0});
+    m_f->session().moveSelected(grip, {0.5, 0, 0});
     QVERIFY(settle(m_f->session()));
     for (const int v : m_f->session().verticesOf(1)) {
         const Vec<3> rest = frame->rest->points.col(v);
@@ -439,15 +439,15 @@ void TestSolidWindow::ballsAndBoxesAreRegions() {
     QCOMPARE(m_f->handles().size(), std::size_t(2));
     QVERIFY(std::holds_alternative<Ball<3>>(std::get<Region<3>>(m_f->handles()[0].at)));
     QVERIFY(std::holds_alternative<Box<3>>(std::get<Region<3>>(m_f->handles()[1].at)));
-    QVERIFY(m_f->session().pins<3>()[0].points.size() > 3);
+    QVERIFY(m_f->session().pins()[0].points.size() > 3);
 }
 
 void TestSolidWindow::sameShapeAsTheCommandLine() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->drag(m_f->at(m_f->session().pins<3>()[1].centre),
-              m_f->at(m_f->session().pins<3>()[1].centre) - QPoint(30, 80));
+    m_f->drag(m_f->at(m_f->session().pins()[1].centre),
+              m_f->at(m_f->session().pins()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(m_f->session()));
     const Project& project = *m_f->session().document().project();
     const auto shape = std::get<Shape<3>>(loadShape(project, m_f->folder().path().toStdString()));
@@ -460,8 +460,8 @@ void TestSolidWindow::saveAndLoadGiveTheSameShape() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->drag(m_f->at(m_f->session().pins<3>()[1].centre),
-              m_f->at(m_f->session().pins<3>()[1].centre) - QPoint(30, 80));
+    m_f->drag(m_f->at(m_f->session().pins()[1].centre),
+              m_f->at(m_f->session().pins()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(m_f->session()));
     const Points<3> shape = m_f->session().frame<3>()->pose;
     const QString path = m_f->folder().filePath(QStringLiteral("bar.wend"));
@@ -509,7 +509,7 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;
-    m_f->session().moveSelected<3>(grip, {0, 0.3, 0.8});
+    m_f->session().moveSelected(grip, {0, 0.3, 0.8});
     QVERIFY(settle(m_f->session()));
     const QImage plain = m_f->canvas().grabFramebuffer();
     m_f->window().actions().showMap->setChecked(true);
@@ -531,14 +531,14 @@ void TestSolidWindow::curvePointsAreDragged() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->session().moveSelected<3>(Grip{}, {0, 0, 0.8});
+    m_f->session().moveSelected(Grip{}, {0, 0, 0.8});
     QVERIFY(settle(m_f->session()));
-    const Vec<3> end = m_f->session().pins<3>()[1].centre;
+    const Vec3 end = m_f->session().pins()[1].centre;
     const auto curved = withCurve(m_f->session().document().design(), 1, end);
     QVERIFY(curved);
     m_f->session().document().changeDesign(QStringLiteral("Curve"), *curved);
     QVERIFY(settle(m_f->session()));
-    QVERIFY((m_f->session().pins<3>()[1].centre - end).norm() < 1e-9);
+    QVERIFY((m_f->session().pins()[1].centre - end).norm() < 1e-9);
     // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
     const Vec<3> inner = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     const QPoint from = m_f->at(inner);
@@ -547,7 +547,7 @@ void TestSolidWindow::curvePointsAreDragged() {
     const Vec<3> moved = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     QVERIFY(std::abs((moved - inner).x() - 40 * m_f->canvas().pixelSize(inner)) <
             2 * m_f->canvas().pixelSize(inner));
-    QVERIFY((m_f->session().pins<3>()[1].centre - end).norm() < 1e-9);
+    QVERIFY((m_f->session().pins()[1].centre - end).norm() < 1e-9);
     Design framed = m_f->session().document().design();
     auto* curve = lastCurve(framed, 1);
     curve->frame = FrameKind::Minimal;
@@ -598,7 +598,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
 void TestSolidWindow::measuresLengthAndAngle() {
     QVERIFY(m_f->open());
     m_f->tool("measure")->trigger();
-    const auto& tool = *static_cast<MeasureTool<3>*>(m_f->canvas().viewport().tool());
+    const auto& tool = *static_cast<MeasureTool*>(m_f->canvas().viewport().tool());
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, 0.49}));
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at({-1.99, -0.5, -0.49}));
     QVERIFY(tool.text().contains(QStringLiteral("length 1,")));

@@ -550,7 +550,7 @@ void TestSurfaceWindow::whatACageCarriesIsPinned() {
         snap->setChecked(snaps);
         const Vec<3> at(snaps ? 0.7 : -0.9, -0.5, 0.1);
         QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(at));
-        const auto pins = m_f->session().pins<3>();
+        const auto pins = m_f->session().pins();
         QCOMPARE(pins.size(), snaps ? 1U : 2U);
         const double pixel = m_f->canvas().pixelSize(at);
         QVERIFY(std::abs(pins.back().centre.y() + 0.5) < 1e-6);

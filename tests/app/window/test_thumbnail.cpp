@@ -171,10 +171,10 @@ void TestThumbnail::savedProjectShowsWhatWasSeen() {
     ShapeSession& session = window.session();
     QTRY_VERIFY_WITH_TIMEOUT(!session.document().isEmpty(), 20000);
     QVERIFY(settle(session));
-    session.addPin({40, 80});
-    session.selection().set({session.addPin({200, 80})});
+    session.addPin({40, 80, 0});
+    session.selection().set({session.addPin({200, 80, 0})});
     session.beginDrag();
-    session.dragTo({60, -120});
+    session.dragBy({60, -120, 0});
     session.endDrag(0.3);
     QVERIFY(settle(session));
     session.document().save(at("bent.wend"));

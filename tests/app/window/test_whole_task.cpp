@@ -104,8 +104,8 @@ void TestWholeTask::init() {
 
 template <int Dim>
 QPoint TestWholeTask::pin(int handle) {
-    for (const auto& view : session().pins<Dim>(true))
-        if (view.handle == handle) return Bar<Dim>::canvas(*m_f).toWidget(view.centre).toPoint();
+    for (const auto& view : session().pins(true))
+        if (view.handle == handle) return Bar<Dim>::canvas(*m_f).onScreen(view.centre).toPoint();
     return {};
 }
 

@@ -176,11 +176,11 @@ void TestWholeTexts::lookAtSteps(const QString& what) {
 /// Two pins, the right one dragged, and both selected.
 void TestWholeTexts::bend() {
     ShapeSession& session = m_f->session();
-    session.addPin<2>({40, 80});
-    session.addPin<2>({200, 80});
+    session.addPin({40, 80, 0});
+    session.addPin({200, 80, 0});
     QVERIFY(settle(session));
     session.beginDrag();
-    session.dragTo<2>({0, 20});
+    session.dragBy({0, 20, 0});
     session.endDrag(0.5);
     QVERIFY(settle(session));
 }

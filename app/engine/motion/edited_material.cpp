@@ -1,0 +1,98 @@
+#include "app/engine/motion/edited_material.h"
+
+#include <cmath>
+
+#include "app/engine/shape/material_raster.h"
+#include "app/engine/shape/mesh_parts.h"
+
+namespace wend {
+
+namespace {
+
+constexpr double kSameMaterial = 1e-9;  // relative to the material
+
+template <int Dim>
+Mat<Dim> anisotropyAt(const Material<Dim>& material, int cell) {
+    return material.anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : material.anisotropy[cell];
+}
+
+template <int Dim>
+class EditedMaterialOf : public EditedMaterial {
+  public:
+    EditedMaterialOf(PosedPtr<Dim> frame, std::string folder)
+        : m_frame(std::move(frame)), m_folder(std::move(folder)) {}
+
+    double phiOf(int cell) const override { return m_frame->material->phi[cell]; }
+    std::optional<Stiffness> stiffnessOf(int cell) const override {
+        if (m_frame->material->anisotropy.empty()) return {};
+        return wend::stiffnessOf<Dim>(at(cell));
+    }
+    Stiffness blended(int cell, double amount, const Stiffness& aim) const override {
+        return wend::stiffnessOf<Dim>((1 - amount) * at(cell) + amount * anisotropyOf<Dim>(aim));
+    }
+    Stiffness smoothed(int cell, double amount, const std::vector<int>& others) const override {
+        Mat<Dim> mean = Mat<Dim>::Zero();
+        for (const int c : others) mean += at(c) / static_cast<double>(others.size());
+        return wend::stiffnessOf<Dim>((1 - amount) * at(cell) + amount * mean);
+    }
+    std::vector<int> cellsIn(const Ball<3>& ball) const override {
+        std::vector<int> cells;
+        for (int c = 0; c < rest().cellCount(); ++c) {
+            Vec<Dim> centroid = Vec<Dim>::Zero();
+            for (const int v : rest().cells[c]) centroid += rest().points.col(v) / (Dim + 1);
+            if ((centroid - ball.centre.head<Dim>()).norm() <= ball.radius) cells.push_back(c);
+        }
+        return cells;
+    }
+    Region<3> around(int cell) const override {
+        return inSpace(regionAround<Dim>(rest(), partOf<Dim>(rest(), cell)));
+    }
+    Region<3> whole() const override { return inSpace(regionOfAll<Dim>(rest())); }
+
+    FramePtr with(const MaterialSpec& spec, std::size_t first) override {
+        if (!m_below) {
+            MaterialSpec below = spec;
+            below.regions.resize(first);
+            m_below = rasterizeMaterial<Dim>(below, rest(), m_folder);
+        }
+        auto material = std::make_shared<Material<Dim>>(*m_below);
+        layRegions<Dim>(std::span(spec.regions).subspan(first), rest(), m_folder, *material);
+        auto frame = std::make_shared<PosedFrame<Dim>>(*m_frame);
+        frame->material = material;
+        return frame;
+    }
+    /// No stiffness is stiffness ×1.
+    bool equals(const ShapeFrame& other) const override {
+        const Material<Dim>& a = *m_frame->material;
+        const Material<Dim>& b = *static_cast<const PosedFrame<Dim>&>(other).material;
+        for (std::size_t c = 0; c < a.phi.size(); ++c) {
+            const int cell = static_cast<int>(c);
+            if (std::abs(a.phi[c] - b.phi[c]) > kSameMaterial) return false;
+            if ((anisotropyAt(a, cell) - anisotropyAt(b, cell)).norm() > kSameMaterial) return false;
+        }
+        return true;
+    }
+    Design erased(const Design& design, std::span<const Eraser> erasers) const override {
+        return withErased<Dim>(design, erasers, rest(), m_folder);
+    }
+    Design withoutErasedLayers(const Design& design) const override {
+        return wend::withoutErasedLayers<Dim>(design, rest(), m_folder);
+    }
+
+  private:
+    const SimplicialMesh<Dim>& rest() const { return *m_frame->rest; }
+    Mat<Dim> at(int cell) const { return anisotropyAt(*m_frame->material, cell); }
+
+    PosedPtr<Dim> m_frame;
+    std::string m_folder;
+    std::shared_ptr<const Material<Dim>> m_below;  // without the regions that change
+};
+
+}  // namespace
+
+std::unique_ptr<EditedMaterial> EditedMaterial::of(const FramePtr& frame, const std::string& folder) {
+    if (frame->dimension == 2) return std::make_unique<EditedMaterialOf<2>>(posed<2>(frame), folder);
+    return std::make_unique<EditedMaterialOf<3>>(posed<3>(frame), folder);
+}
+
+}  // namespace wend

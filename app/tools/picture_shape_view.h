@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/tools/shape_view.h"
+
+namespace wend {
+
+/// The canvas as tools see it that work on pictures alone: with points of the plane.
+class PictureShapeView : public ShapeView {
+  public:
+    virtual Vec<2> toShape(const QPointF& widget) const = 0;
+    virtual QPointF toWidget(const Vec<2>& p) const = 0;
+
+    int dimension() const override { return 2; }
+    QPointF onScreen(const Vec3& p) const override { return toWidget(inPlane(p)); }
+    Ray ray(const QPointF& widget) const override {
+        return {inSpace(toShape(widget)) + Vec3::UnitZ(), -Vec3::UnitZ()};
+    }
+    Vec3 viewDirection() const override { return -Vec3::UnitZ(); }
+};
+
+}  // namespace wend
