@@ -2,10 +2,11 @@
 # it shares with its neighbours. Off where single files are edited, and where missing includes are to be found. Names in anonymous
 # namespaces differ within a library.
 option(WEND_UNITY "Compile several files of a library at once" OFF)
-set(WEND_UNITY_BATCH 10 CACHE STRING "Files that are compiled at once, at most")
+set(WEND_UNITY_BATCH 40)      # files that are compiled at once, at most: with 10 the rooms of widgets take half as long again
+set(WEND_UNITY_BATCH_HOT 20)  # where templates are optimized most, for which a compiler needs much memory
 
-# wend_share_compilations(target SOURCES…): all but those that Highway includes once for every SIMD target.
-function(wend_share_compilations target)
+# wend_share_compilations(target BATCH SOURCES…): all but those that Highway includes once for every SIMD target.
+function(wend_share_compilations target batch)
     foreach(source ${ARGN})
         file(STRINGS ${source} targets REGEX "foreach_target\\.h" LIMIT_COUNT 1)
         if(targets)
@@ -13,7 +14,7 @@ function(wend_share_compilations target)
         endif()
     endforeach()
     # The macro that instantiates a file's templates for both dimensions is the file's own.
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${WEND_UNITY_BATCH}
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch}
         UNITY_BUILD_CODE_AFTER_INCLUDE "#undef WEND_INSTANTIATE")
 endfunction()
 
@@ -40,8 +41,10 @@ function(wend_library name)
     add_library(wend_${name} STATIC)
     add_library(wend::${name} ALIAS wend_${name})
     target_sources(wend_${name} PRIVATE ${ARG_SOURCES})
-    if(WEND_UNITY)
-        wend_share_compilations(wend_${name} ${ARG_SOURCES})
+    if(WEND_UNITY AND name IN_LIST WEND_HOT)
+        wend_share_compilations(wend_${name} ${WEND_UNITY_BATCH_HOT} ${ARG_SOURCES})
+    elseif(WEND_UNITY)
+        wend_share_compilations(wend_${name} ${WEND_UNITY_BATCH} ${ARG_SOURCES})
     endif()
     target_link_libraries(wend_${name} PUBLIC wend_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     wend_pch_kind(kind ${ARG_PUBLIC} ${ARG_PRIVATE})
