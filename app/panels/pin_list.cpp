@@ -204,7 +204,7 @@ void PinList::showRow(int handle) {
     const Pin& own = design.handles[static_cast<std::size_t>(handle)];
     const QString name = QString::fromStdString(own.name);
     const bool holds = isActive(own, m_session.playback().time());
-    const HandleTraits& traits = traitsOf(design, handle);
+    const PinTraits& traits = traitsOf(design, handle);
     if (item.text(Name) != name) item.setText(Name, name);
     const QColor colour = pinColour(handle, traits);
     if (item.data(Name, kColourRole).value<QColor>() != colour) {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "app/project/extras.h"
 #include "core/mesh/region.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 

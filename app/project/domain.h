@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "app/project/extras.h"
 #include "app/project/part.h"
 #include "core/mesh/region.h"
 #include "core/meshing/outline.h"
 #include "core/meshing/shell_spaces.h"
 #include "core/meshing/surface_fixes.h"
-#include "core/motion/handle.h"
 #include "warp/alpha_outline_options.h"
 
 namespace wend {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/project/extras.h"
 #include "core/meshing/outline.h"
-#include "core/motion/handle.h"
 #include "warp/alpha_outline_options.h"
 #include "warp/blend_mode.h"
 

@@ -56,7 +56,7 @@ struct Coordinates {
     }
 
     static Motion<To> motion(const Motion<From>& motion) {
-        Motion<To> result{{}, motion.start, motion.end, motion.ease, motion.extras};
+        Motion<To> result{{}, motion.start, motion.end, motion.ease};
         std::visit([&](const auto& own) { result.kind = kind(own); }, motion.kind);
         return result;
     }
@@ -74,41 +74,67 @@ struct Coordinates {
         mesh.segments = slide.mesh->segments;
         return {slide.file, std::make_shared<const GuideMesh<To>>(std::move(mesh))};
     }
-    static Handle<To> handle(const Handle<From>& handle) {
-        Handle<To> result{handle.name,       placement(handle.at), {},
-                          handle.activeFrom, handle.activeTo,      handle.extras};
-        for (const Motion<From>& own : handle.motions) result.motions.push_back(motion(own));
-        result.slides = handle.slides;
-        if (handle.normal) result.normal = point(*handle.normal);
-        if (handle.slide) result.slide = slide(*handle.slide);
-        result.traits = handle.traits;
-        result.part = handle.part;
-        return result;
-    }
 };
 
 using Flat = Coordinates<3, 2>;
 using Solid = Coordinates<2, 3>;
 
+template <int Dim>
+Pin pinOf(const Handle<Dim>& handle) {
+    Pin pin{handle.name, inSpace(handle.at), {}, handle.activeFrom, handle.activeTo, handle.slides};
+    if (handle.normal) pin.normal = inSpace(*handle.normal);
+    pin.part = handle.part;
+    return pin;
+}
+
 }  // namespace
 
-Placement<2> inPlane(const Placement<3>& at) {
+template <>
+Placement<2> placementIn<2>(const Placement<3>& at) {
     return Flat::placement(at);
 }
-Motion<2> inPlane(const PinMotion& motion) {
+template <>
+Placement<3> placementIn<3>(const Placement<3>& at) {
+    return at;
+}
+
+template <>
+Motion<2> motionIn<2>(const PinMotion& motion) {
     return Flat::motion(motion);
 }
-Handle<2> inPlane(const Pin& pin) {
-    return Flat::handle(pin);
+template <>
+Motion<3> motionIn<3>(const PinMotion& motion) {
+    return motion;
 }
+
+template <int Dim>
+Handle<Dim> handleIn(const Pin& pin) {
+    Handle<Dim> handle{pin.name, placementIn<Dim>(pin.at), {}, pin.activeFrom, pin.activeTo, pin.slides};
+    for (const PinMotion& motion : pin.motions) handle.motions.push_back(motionIn<Dim>(motion));
+    if (pin.normal) handle.normal = pin.normal->template head<Dim>();
+    if constexpr (Dim == 3) handle.slide = pin.slide;
+    if constexpr (Dim == 2)
+        if (pin.slide) handle.slide = Flat::slide(*pin.slide);
+    handle.part = pin.part;
+    return handle;
+}
+template Handle<2> handleIn<2>(const Pin&);
+template Handle<3> handleIn<3>(const Pin&);
+
 Placement<3> inSpace(const Placement<2>& at) {
     return Solid::placement(at);
 }
-PinMotion inSpace(const Motion<2>& motion) {
-    return Solid::motion(motion);
-}
 Pin inSpace(const Handle<2>& handle) {
-    return Solid::handle(handle);
+    Pin pin = pinOf(handle);
+    for (const Motion<2>& motion : handle.motions) pin.motions.push_back({Solid::motion(motion)});
+    if (handle.slide) pin.slide = Solid::slide(*handle.slide);
+    return pin;
+}
+Pin inSpace(const Handle<3>& handle) {
+    Pin pin = pinOf(handle);
+    for (const Motion<3>& motion : handle.motions) pin.motions.push_back({motion});
+    pin.slide = handle.slide;
+    return pin;
 }
 
 }  // namespace wend

@@ -62,7 +62,7 @@ std::shared_ptr<Project> copyOf(const Project& project) {
 }
 
 double endOfMotions(const Project& project) {
-    double end = lastMotionEnd(project.design.handles, 1.0);
+    double end = lastMotionEnd(handlesIn<3>(project.design.handles), 1.0);
     for (const SettleWindow& window : project.settle) end = std::max(end, window.end);
     return end;
 }

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "app/project/extras.h"
 #include "core/base/types.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 

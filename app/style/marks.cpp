@@ -16,7 +16,7 @@ const std::array<QColor, 8>& pinColours() {
     return kColours;
 }
 
-QColor pinColour(int handle, const HandleTraits& traits) {
+QColor pinColour(int handle, const PinTraits& traits) {
     if (traits.colour) return QColor::fromRgb(*traits.colour);
     return pinColours()[static_cast<std::size_t>(std::max(handle, 0)) % pinColours().size()];
 }

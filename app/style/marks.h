@@ -19,7 +19,7 @@ inline constexpr QRgb kWrong = qRgb(214, 44, 60);
 /// Returns the default colours of pins, which lightness alone distinguishes as well.
 const std::array<QColor, 8>& pinColours();
 /// Returns the colour of a pin in the list and on the shape.
-QColor pinColour(int handle, const HandleTraits& traits);
+QColor pinColour(int handle, const PinTraits& traits);
 
 /// Marks over pictures and solids, in widget coordinates, with a light rim so that they show on any
 /// background. The user sets their size, see mark_size.h.

@@ -13,10 +13,6 @@
 
 namespace wend {
 
-/// Unknown content of a file's objects, kept for the next save: JSON pointers relative to the object, and the
-/// values as JSON text.
-using Extras = std::vector<std::pair<std::string, std::string>>;
-
 /// Selects how a motion starts and ends; see ease().
 enum class Ease { Linear, In, Out, InOut };
 
@@ -88,7 +84,6 @@ struct Motion {
         kind;
     double start = 0, end = 1;  // the time window
     Ease ease = Ease::Linear;
-    Extras extras = {};
 };
 
 /// The points of a handle: vertex ids, points anywhere in the rest shape, or all vertices inside a region.
@@ -109,16 +104,6 @@ struct Slide {
     std::shared_ptr<const GuideMesh<Dim>> mesh;  // from the file
 };
 
-/// Properties of a handle for editing; the shape does not depend on them.
-struct HandleTraits {
-    bool locked = false;                  // is neither moved nor removed
-    bool hidden = false;                  // is neither drawn nor picked; it holds all the same
-    std::string group;                    // handles of one name belong together; empty: to none
-    int link = 0;                         // handles of one number move together; 0: alone
-    std::optional<unsigned> colour = {};  // 0xRRGGBB; by its place in the list without one
-    bool operator==(const HandleTraits&) const = default;
-};
-
 /// Prescribes the motion of some points of the shape. Without a motion it holds them still; its motions act
 /// one after another. Coordinates and displacements are in the domain's unit, angles in radians, and times in
 /// the project's unit of time.
@@ -129,12 +114,10 @@ struct Handle {
     std::vector<Motion<Dim>> motions;
     double activeFrom = -std::numeric_limits<double>::infinity();
     double activeTo = std::numeric_limits<double>::infinity();
-    Extras extras = {};
     unsigned slides = 0;  // bit k: the points are free along coordinate k, and held along the others
     std::optional<Vec<Dim>> normal = {};   // the points are held along this direction only
     std::optional<Slide<Dim>> slide = {};  // the points are held on this surface, which the motions move
     bool isPartlyHeld() const { return slides != 0 || normal || slide; }
-    HandleTraits traits = {};
     std::string part = {};  // of the mesh; empty: the frontmost part that has the place
 };
 

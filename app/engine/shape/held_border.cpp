@@ -83,7 +83,7 @@ std::vector<Handle<2>> heldHandles<2>(const Project& project, const Shape<2>& sh
 
 template <>
 std::vector<Handle<3>> heldHandles<3>(const Project& project, const Shape<3>& shape) {
-    std::vector<Handle<3>> handles = designOf(project).handles;
+    std::vector<Handle<3>> handles = handlesIn<3>(designOf(project).handles);
     if (!shape.cage) return handles;
     for (Handle<3>& handle : handles)
         if (const auto* vertices = std::get_if<std::vector<int>>(&handle.at))

@@ -101,7 +101,7 @@ bool isCutOff(const PinMotion& motion, const PinMotion& whole) {
 /// Returns whether a body that follows all motions of either handle is at the same place at a time.
 bool samePlaceAt(const Pin& a, const Pin& b, double time) {
     const auto at = [time](const Pin& handle) {
-        return HandleTimeline<3>(handle).bodyAt(time, Side::Before).position;
+        return HandleTimeline<3>(handleIn<3>(handle)).bodyAt(time, Side::Before).position;
     };
     const AffineMap<3> p = at(a), q = at(b);
     const double way = std::max(p.b.norm(), q.b.norm());

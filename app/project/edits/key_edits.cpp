@@ -121,7 +121,7 @@ void holdKey(Pin& handle, double time) {
 
 /// The place of a handle's point, which begins somewhere.
 Vec3 placeAt(const Pin& handle, double time, const Vec3& start) {
-    return HandleTimeline<3>(handle).bodyAt(time, Side::Before).position(start);
+    return HandleTimeline<3>(handleIn<3>(handle)).bodyAt(time, Side::Before).position(start);
 }
 
 void easeKey(Pin& handle, double time, const KeyEase& ease) {

@@ -25,19 +25,19 @@ bool contains(const std::vector<int>& handles, int handle) {
 
 }  // namespace
 
-const HandleTraits& traitsOf(const Design& design, int handle) {
+const PinTraits& traitsOf(const Design& design, int handle) {
     return design.handles.at(static_cast<std::size_t>(handle)).traits;
 }
 
 Design withTraits(const Design& design, const std::vector<int>& handles,
-                  const std::function<void(HandleTraits&)>& change) {
+                  const std::function<void(PinTraits&)>& change) {
     Design next = design;
     for (const int h : handles) change(next.handles.at(static_cast<std::size_t>(h)).traits);
     return next;
 }
 
 std::vector<int> withLinked(const Design& design, std::vector<int> handles) {
-    const auto moves = [&](int h, const HandleTraits& traits) {
+    const auto moves = [&](int h, const PinTraits& traits) {
         return contains(handles, h) ||
                (traits.link > 0 && std::any_of(handles.begin(), handles.end(), [&](int other) {
                     return traitsOf(design, other).link == traits.link;
@@ -54,11 +54,11 @@ Design withLink(const Design& design, const std::vector<int>& handles) {
     int maximum = 0;
     for (int h = 0; h < countOf(design); ++h) maximum = std::max(maximum, traitsOf(design, h).link);
     return withTraits(design, withLinked(design, handles),
-                      [link = maximum + 1](HandleTraits& traits) { traits.link = link; });
+                      [link = maximum + 1](PinTraits& traits) { traits.link = link; });
 }
 
 Design withoutLink(const Design& design, const std::vector<int>& handles) {
-    const auto unlink = [](HandleTraits& traits) { traits.link = 0; };
+    const auto unlink = [](PinTraits& traits) { traits.link = 0; };
     const Design next = withTraits(design, handles, unlink);
     return withTraits(next, handlesWhere(next, [&](int h, const auto&) { return !isLinked(next, h); }),
                       unlink);
@@ -75,7 +75,7 @@ std::vector<std::string> groupNames(const Design& design) {
 }
 
 std::vector<int> handlesOfGroup(const Design& design, const std::string& group) {
-    return handlesWhere(design, [&](int, const HandleTraits& traits) { return traits.group == group; });
+    return handlesWhere(design, [&](int, const PinTraits& traits) { return traits.group == group; });
 }
 
 }  // namespace wend

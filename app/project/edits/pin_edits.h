@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 
 /// Edits of the pin list, none of which moves the shape.
 
-const HandleTraits& traitsOf(const Design& design, int handle);
+const PinTraits& traitsOf(const Design& design, int handle);
 /// Does the same for several handles.
 Design withTraits(const Design& design, const std::vector<int>& handles,
-                  const std::function<void(HandleTraits&)>& change);
+                  const std::function<void(PinTraits&)>& change);
 
 /// These handles and all that are linked with one of them, increasing.
 std::vector<int> withLinked(const Design& design, std::vector<int> handles);

@@ -307,7 +307,7 @@ Design withProgress(const Design& design, const std::vector<MotionId>& motions, 
     for (const MotionId& id : motions) {
         const auto at = static_cast<std::size_t>(id.handle);
         PinMotion& motion = result.handles.at(at).motions.at(static_cast<std::size_t>(id.motion));
-        const HandleTimeline<3> timeline(design.handles[at]);
+        const HandleTimeline<3> timeline(handleIn<3>(design.handles[at]));
         setProgress(motion, progress, timeline.bodyAt(motion.start, Side::Before).position(starts.at(at)));
     }
     return result;

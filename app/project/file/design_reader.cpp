@@ -448,8 +448,8 @@ std::optional<unsigned> readColour(const JsonValue& value) {
     return colour;
 }
 
-HandleTraits readTraits(JsonObject& object) {
-    HandleTraits traits;
+PinTraits readTraits(JsonObject& object) {
+    PinTraits traits;
     if (auto locked = object.find("locked")) traits.locked = locked->boolean();
     if (auto hidden = object.find("hidden")) traits.hidden = hidden->boolean();
     if (auto group = object.find("group")) traits.group = group->text();

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/project/extras.h"
 #include "app/project/options/options.h"
 #include "core/base/types.h"
-#include "core/motion/handle.h"
 
 namespace wend {
 

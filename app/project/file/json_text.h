@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/motion/handle.h"
+#include "app/project/extras.h"
 
 namespace wend {
 

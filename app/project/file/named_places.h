@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/project/extras.h"
 #include "app/project/file/json_reader.h"
-#include "app/project/pin.h"
 #include "app/project/project_fwd.h"
 
 namespace wend {

@@ -317,7 +317,7 @@ class ProjectJson {
         return axes;
     }
 
-    static void addTraits(Json& json, const HandleTraits& traits) {
+    static void addTraits(Json& json, const PinTraits& traits) {
         if (traits.locked) json["locked"] = true;
         if (traits.hidden) json["hidden"] = true;
         if (!traits.group.empty()) json["group"] = traits.group;

@@ -15,7 +15,7 @@ template <class Change>
 void change(ShapeSession& session, const std::vector<int>& pins, const QString& step, const Change& change) {
     const Design& design = session.document().design();
     const bool changes = std::any_of(pins.begin(), pins.end(), [&](int pin) {
-        HandleTraits traits = traitsOf(design, pin);
+        PinTraits traits = traitsOf(design, pin);
         change(traits);
         return traits != traitsOf(design, pin);
     });
@@ -28,28 +28,28 @@ void change(ShapeSession& session, const std::vector<int>& pins, const QString& 
 
 void setLocked(ShapeSession& session, const std::vector<int>& pins, bool locked) {
     change(session, pins, locked ? ShapeSession::tr("Lock %1") : ShapeSession::tr("Unlock %1"),
-           [locked](HandleTraits& traits) { traits.locked = locked; });
+           [locked](PinTraits& traits) { traits.locked = locked; });
 }
 
 void setHidden(ShapeSession& session, const std::vector<int>& pins, bool hidden) {
     change(session, pins, hidden ? ShapeSession::tr("Hide %1") : ShapeSession::tr("Show %1"),
-           [hidden](HandleTraits& traits) { traits.hidden = hidden; });
+           [hidden](PinTraits& traits) { traits.hidden = hidden; });
 }
 
 void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString& name) {
     change(session, pins, name.isEmpty() ? ShapeSession::tr("Ungroup %1") : ShapeSession::tr("Group %1"),
-           [group = name.toStdString()](HandleTraits& traits) { traits.group = group; });
+           [group = name.toStdString()](PinTraits& traits) { traits.group = group; });
 }
 
 void renameGroup(ShapeSession& session, const QString& group, const QString& name) {
     change(session, handlesOfGroup(session.document().design(), group.toStdString()),
            ShapeSession::tr("Rename group"),
-           [group = name.toStdString()](HandleTraits& traits) { traits.group = group; });
+           [group = name.toStdString()](PinTraits& traits) { traits.group = group; });
 }
 
 void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour) {
     change(session, pins, ShapeSession::tr("Colour %1"),
-           [colour](HandleTraits& traits) { traits.colour = colour; });
+           [colour](PinTraits& traits) { traits.colour = colour; });
 }
 
 void holdThroughout(ShapeSession& session, const std::vector<int>& pins) {

@@ -189,7 +189,7 @@ void PinActions::refresh() {
         return has ? std::count_if(selected().begin(), selected().end(), test) : 0;
     };
     const auto all = static_cast<std::ptrdiff_t>(selected().size());
-    const auto traits = [this](int h) -> const HandleTraits& {
+    const auto traits = [this](int h) -> const PinTraits& {
         return traitsOf(m_session.document().design(), h);
     };
     for (QAction* grip : {move, turn, grow, selectRectangle, selectLasso, selectBrush})

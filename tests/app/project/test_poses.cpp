@@ -343,7 +343,7 @@ void TestPoses::evenRotationsStayRotations() {
         QCOMPARE(int(motions.size()), 3);
         QCOMPARE(std::holds_alternative<Rotate<3>>(motions[1].kind), isAcross);
         const auto at = [&](const Project& project, double t, const Vec3& p) {
-            const HandleTimeline<3> timeline(project.design.handles[0]);
+            const HandleTimeline<3> timeline(handleIn<3>(project.design.handles[0]));
             return timeline.bodyAt(t, Side::Before).position(p);
         };
         Project removed = *after;
@@ -408,7 +408,7 @@ void TestPoses::rotationsAreKept() {
         const auto& handle = after->design.handles[0];
         QCOMPARE(int(handle.motions.size()), kind == 2 ? 2 : 3);
         const auto at = [&](const Project& project, double t, const Vec3& p) {
-            const HandleTimeline<3> timeline(project.design.handles[0]);
+            const HandleTimeline<3> timeline(handleIn<3>(project.design.handles[0]));
             return timeline.bodyAt(t, Side::Before).position(p);
         };
         double worst = 0;

@@ -67,7 +67,7 @@ Project barOf(const QTemporaryDir& folder, int slices, double phi) {
     Design design;
     design.dimension = 3;
     design.material.phi = phi;
-    design.handles = ends();
+    for (const Handle<3>& handle : ends()) design.handles.push_back(inSpace(handle));
     project.design = design;
     return project;
 }

@@ -269,7 +269,7 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     Document& document = m_f->session().document();
     document.changeDesign(
         QStringLiteral("Lock"),
-        withTraits(document.design(), {1}, [](HandleTraits& traits) { traits.locked = true; }));
+        withTraits(document.design(), {1}, [](PinTraits& traits) { traits.locked = true; }));
     QVERIFY(settle(m_f->session()));
     const int before = steps();
     click(pin(1));

@@ -62,7 +62,7 @@ class TestPins : public QObject {
     ShapeSession& session() { return m_f->session(); }
     PinActions& pins() { return *m_f->window().findChild<PinActions*>(); }
     PinList& list() { return m_f->window().properties().pins(); }
-    const HandleTraits& traits(int handle) {
+    const PinTraits& traits(int handle) {
         return m_f->session().document().design().handles.at(handle).traits;
     }
     QString said() { return m_f->window().statusBar()->currentMessage(); }
@@ -416,7 +416,7 @@ void TestPins::keep() {
     QVERIFY(QTest::qWaitFor([&] { return session().document().source() == path; }, 20000));
     QVERIFY(settle(session()));
     QVERIFY(traits(0).locked && traits(1).hidden && traits(1).link == traits(0).link &&
-            traits(2) == HandleTraits());
+            traits(2) == PinTraits());
     QVERIFY(list().headingOf(QStringLiteral("Left")));
 }
 
