@@ -11,13 +11,13 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kEntry = 12, kMaxValue = 0x10000;  // in bytes
+constexpr std::size_t kExifEntry = 12, kMaxValue = 0x10000;  // in bytes
 constexpr unsigned kMakerNote = 0x927c;
 constexpr std::array kDirectories{0x8769U, 0x8825U, 0xa005U};  // EXIF, GPS, interoperability
 
 /// A meaningless number of type BYTE under an unknown tag.
-constexpr std::string_view kUnknown("\xff\xff\0\1\0\0\0\1\0\0\0\0", kEntry);
-constexpr std::string_view kUnknownLittle("\xff\xff\1\0\1\0\0\0\0\0\0\0", kEntry);
+constexpr std::string_view kUnknown("\xff\xff\0\1\0\0\0\1\0\0\0\0", kExifEntry);
+constexpr std::string_view kUnknownLittle("\xff\xff\1\0\1\0\0\0\0\0\0\0", kExifEntry);
 
 class ExifBlock {
   public:
@@ -41,7 +41,7 @@ class ExifBlock {
     std::size_t entriesOf(std::size_t at) const {
         if (at > m_size || m_size - at < 2) return 0;
         const std::size_t count = number(at, 2);
-        return count * kEntry <= m_size - at - 2 ? count : 0;
+        return count * kExifEntry <= m_size - at - 2 ? count : 0;
     }
 
     /// Returns false if it is missing or was visited before.
@@ -49,8 +49,8 @@ class ExifBlock {
         const std::size_t count = entriesOf(at);
         if (count == 0 || !m_seen.insert(at).second) return false;
         for (std::size_t k = 0; k < count; ++k)
-            if (const std::size_t entry = at + 2 + kEntry * k; !keeps(entry)) {
-                m_bytes.replace(m_from + entry, kEntry, m_big ? kUnknown : kUnknownLittle);
+            if (const std::size_t entry = at + 2 + kExifEntry * k; !keeps(entry)) {
+                m_bytes.replace(m_from + entry, kExifEntry, m_big ? kUnknown : kUnknownLittle);
                 m_mended = true;
             }
         return true;
@@ -68,7 +68,7 @@ class ExifBlock {
     bool directoryFits(std::size_t at) const {
         const std::size_t count = entriesOf(at);
         for (std::size_t k = 0; k < count; ++k)
-            if (!valueFits(at + 2 + kEntry * k)) return false;
+            if (!valueFits(at + 2 + kExifEntry * k)) return false;
         return count > 0;
     }
 

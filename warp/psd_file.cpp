@@ -290,7 +290,7 @@ class PsdUnpacker {
     }
 
     std::string unpacked(ByteWalk walk) const {
-        enum Packing : unsigned { Raw, Runs, Zip, ZipOfDifferences };
+        enum Coding : unsigned { Raw, Runs, Zip, ZipOfDifferences };
         const unsigned packing = walk.number(2);
         if (packing == Raw) return std::string(walk.bytes(size()));
         if (packing == Runs) return fromRuns(walk);

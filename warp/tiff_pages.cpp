@@ -27,9 +27,9 @@ bool hasAlpha(const TiffDirectory& page) {
 
 /// A position is in the unit of the resolution.
 int pixels(std::optional<double> position, std::optional<double> resolution) {
-    constexpr double kFarthest = 1e8;
+    constexpr double kFarthestPage = 1e8;
     const double place = position.value_or(0) * resolution.value_or(1);
-    return std::abs(place) < kFarthest ? static_cast<int>(std::lround(place)) : 0;
+    return std::abs(place) < kFarthestPage ? static_cast<int>(std::lround(place)) : 0;
 }
 
 PictureLayer layerOf(const TiffDirectory& page) {

@@ -9,10 +9,11 @@ namespace {
 // Displacement of the fastest constrained point in the first step, relative to the size.
 constexpr double kFirstMove = 0.05;
 // A step's error is of second order: what is predicted is linear in time.
-constexpr double kImplicitSafety = 0.8, kLeastGrowth = 0.25, kMostGrowth = 2;
+constexpr double kImplicitSafety = 0.8, kLeastImplicitGrowth = 0.25, kMostImplicitGrowth = 2;
 
 double factorFor(double error) {
-    return std::clamp(kImplicitSafety / std::sqrt(std::max(error, 1e-3)), kLeastGrowth, kMostGrowth);
+    return std::clamp(kImplicitSafety / std::sqrt(std::max(error, 1e-3)), kLeastImplicitGrowth,
+                      kMostImplicitGrowth);
 }
 
 }  // namespace

@@ -32,8 +32,6 @@ constexpr double kNearest = 0.5;
 constexpr double kTurnedAgain = 0.2;
 // Making the levels of multigrid takes about as long as this many iterations with them (docs/scale.md).
 constexpr double kMultigridSetUp = 18;
-// Minimum degree is quicker below and makes no more fill.
-constexpr int kNestedDissectionVertices = 8000;
 
 /// Returns whether every cell has the same orientation in both shapes.
 template <int Dim>
@@ -64,10 +62,8 @@ bool FactorCache<Dim>::analyze(const std::stop_token& stop) {
         return m_analyzed = true;
     }
     const AssemblyPlan<Dim>& plan = *m_plan;
-    const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
-    if (!m_system.unknowns().empty() &&
-        !m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
-                          small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
+    if (!m_system.unknowns().empty() && !m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
+                                                          orderingFor(Dim, m_system.unknowns().size()), stop))
         return false;
     SolverCost cost;
     cost.factorFlops = m_factor.flops();

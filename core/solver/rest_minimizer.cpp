@@ -30,7 +30,6 @@ constexpr double kNudge = 1e-3, kNearSaddle = 1e-9;
 constexpr int kMostNudges = 3;
 // A factor serves again while each step is shorter than this part of the one before.
 constexpr double kQuickly = 0.4;
-constexpr int kNestedDissectionVertices = 8000;
 // Errors of predict(): in sizes, and relative to the step. It ends after so many iterations, and then makes
 // a new factor, which is expected to leave a hundredth of the error at first.
 constexpr double kPredicted = 2e-5, kOfStep = 0.01;
@@ -100,9 +99,8 @@ SolveOutcome RestMinimizer<Dim>::factorize(FactorKind kind, const Points<Dim>& s
                                            const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
     if (!m_factor.isAnalyzed()) {
         const Stopwatch watch(m_statistics.analyze);
-        const bool small = Dim == 2 && m_system.unknowns().size() < kNestedDissectionVertices;
         if (!m_factor.analyze(m_system.columnStart(), m_system.row(), Dim,
-                              small ? Ordering::MinimumDegree : Ordering::NestedDissection, stop))
+                              orderingFor(Dim, m_system.unknowns().size()), stop))
             return {SolveOutcome::Kind::Stopped, -1};
         const SolverCost cost{m_factor.flops(), m_factor.entries(), static_cast<double>(m_plan.own.size()),
                               static_cast<double>(m_plan.cellCount()), Dim};

@@ -9,7 +9,7 @@ namespace wend {
 namespace {
 
 // Thresholds above rounding: relative to an eigenvector's length, and to the sum of all eigenvalues.
-constexpr double kPartOfVector = 1e-6, kRounding = 1e-14;
+constexpr double kPartOfVector = 1e-6, kLeastPart = 1e-14;
 
 /// Returns the form S of some components, in their order.
 template <int Dim>
@@ -64,7 +64,7 @@ void holdWelded(const std::vector<SimilaritySquare<Dim>>& squares,
         if (group.size() < 2) continue;
         const Eigen::MatrixXd S = weldedSquare<Dim>(group, squares, welded);
         const EigenPairs modes = eigenPairs(S);
-        const double least = std::max(distinct * distinct, kRounding * S.trace());
+        const double least = std::max(distinct * distinct, kLeastPart * S.trace());
         std::vector<bool> isFree(group.size(), false);
         for (Eigen::Index k = 0; k < S.cols() && modes.values[k] <= least; ++k)
             for (std::size_t i = 0; i < group.size(); ++i)

@@ -13,7 +13,7 @@ namespace {
 
 using formats::Scalar;
 
-constexpr int kDeepest = 30;
+constexpr int kDeepestLink = 30;
 constexpr std::uint64_t kInflation = 2000;  // the most that data are larger than the bytes that hold them
 constexpr std::uint64_t kFree = 16U << 20;  // bytes that any file may fill
 constexpr std::uint64_t kMostNodes = 1000000;
@@ -55,7 +55,7 @@ class Reading {
             node.data = values(type.id(), space.id(), name, [&](hid_t as, void* to) {
                 return H5Dread(object, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, to);
             });
-        } else if (depth < kDeepest) {
+        } else if (depth < kDeepestLink) {
             readLinks(object, node, depth);
         }
         return node;

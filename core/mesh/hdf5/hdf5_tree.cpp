@@ -12,7 +12,7 @@ namespace {
 
 using formats::Scalar;
 
-constexpr int kDeepest = 32;
+constexpr int kDeepestGroup = 32;
 
 /// Appends numbers, texts and lists, each with its length.
 class TreeWriter {
@@ -91,7 +91,7 @@ class TreeReader {
         return array;
     }
     Hdf5Node node(int depth = 0) {
-        if (depth > kDeepest) fail();
+        if (depth > kDeepestGroup) fail();
         Hdf5Node node;
         node.name = text();
         node.isGroup = number() != 0;
