@@ -28,6 +28,7 @@ class BandPainter {
           m_channels(job.header.channels),
           m_paintSpan(spanPainterOf<T>(job.source->base().channels, job.options.filter)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
+        m_task.isQuick = job.options.isQuick;
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         m_shinesThrough = part == BandPart::All && (!job.source->opaque() || !job.options.blends.empty());
         if (m_shinesThrough || job.options.outside != Outside::Transparent)

@@ -117,14 +117,10 @@ void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
     }
 }
 
-/// Converts a result of forScreen(), in its own memory.
+/// Takes over pixels that are Qt's, and converts others.
 QImage toQImage(Image&& pixels) {
     if (pixels.type == PixelType::Half) return encodedImage(pixels);
     auto* owned = new Image(std::move(pixels));
-    for (int y = 0; y < owned->height; ++y) {
-        auto* row = reinterpret_cast<QRgb*>(owned->row(y));
-        toArgb(owned->unassociated, row, row + owned->width);
-    }
     return QImage(
         reinterpret_cast<uchar*>(owned->data.data()), owned->width, owned->height,
         static_cast<qsizetype>(owned->rowBytes()), QImage::Format_ARGB32_Premultiplied,
@@ -137,7 +133,14 @@ ScreenPicture::ScreenPicture(const std::shared_ptr<const Image>& picture) : m_py
 
 QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                              const WarpOptions& options) const {
-    Image pixels = warpImage(m_pyramid, rest, pose, view, options);
+    WarpOptions own = options;
+    if (image().type == PixelType::UInt8)
+        own.finishRows = [unassociated = image().unassociated, width = view.width](std::byte* first,
+                                                                                   int rows) {
+            auto* const begin = reinterpret_cast<QRgb*>(first);
+            toArgb(unassociated, begin, begin + static_cast<std::ptrdiff_t>(rows) * width);
+        };
+    Image pixels = warpImage(m_pyramid, rest, pose, view, own);
     return pixels.data.empty() ? QImage() : toQImage(std::move(pixels));
 }
 
