@@ -24,7 +24,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// the two neighbours in a row at once; channels have 16 bits, in 1/128 of a level. Before it is rounded to
 /// whole levels, a colour is off by less than 1/40.
 class QuickSpan {
+    using Lanes = hn::CappedTag<std::uint64_t, 8>;
+    using Lane = hn::Vec<Lanes>;
+    using Offsets = hn::RebindToSigned<Lanes>;
+    using Halves = hn::Repartition<std::uint32_t, Lanes>;
+    using Bytes = hn::Repartition<std::uint8_t, Lanes>;
+    using Numbers = hn::Repartition<std::int16_t, Lanes>;
+    using Number = hn::Vec<Numbers>;
+
   public:
+    static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Lanes()));  // pixels at a time
+
     HWY_ATTR explicit QuickSpan(const SpanTask& task)
         : m_base(static_cast<const std::uint64_t*>(task.level.data)),
           m_next(static_cast<const std::uint8_t*>(task.level.data) +
@@ -70,18 +80,6 @@ class QuickSpan {
             hn::BlendedStore(result, hn::FirstN(pixels, some), pixels, out);
         return true;
     }
-
-  private:
-    using Lanes = hn::CappedTag<std::uint64_t, 8>;
-    using Lane = hn::Vec<Lanes>;
-    using Offsets = hn::RebindToSigned<Lanes>;
-    using Halves = hn::Repartition<std::uint32_t, Lanes>;
-    using Bytes = hn::Repartition<std::uint8_t, Lanes>;
-    using Numbers = hn::Repartition<std::int16_t, Lanes>;
-    using Number = hn::Vec<Numbers>;
-
-  public:
-    static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Lanes()));
 
   private:
     /// Numbers with 32 bits behind the point.

@@ -103,18 +103,22 @@ QRgb withRedAndBlueSwapped(QRgb pixel) {
     return (pixel & 0xFF00FF00U) | (pixel & 0xFFU) << 16U | (pixel >> 16U & 0xFFU);
 }
 
-/// Converts pixels of four bytes, red first, in place.
+/// Converts `count` pixels of four bytes, red first, in place.
+template <class Count>
+void toArgb(bool unassociated, QRgb* pixels, Count count) {
+    QRgb all = ~QRgb(0), any = 0;
+    for (int k = 0; k < count; ++k) all &= pixels[k], any |= pixels[k];
+    for (int k = 0; k < count; ++k) pixels[k] = withRedAndBlueSwapped(pixels[k]);
+    if (unassociated && qAlpha(all) != 255 && any != 0)
+        for (int k = 0; k < count; ++k) pixels[k] = qPremultiply(pixels[k]);
+}
+
+/// The same in blocks of a number of pixels that the compiler knows.
 void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
-    constexpr std::ptrdiff_t kBlock = 16;
-    while (begin != end) {
-        QRgb* const next = begin + std::min(kBlock, end - begin);
-        QRgb all = ~QRgb(0), any = 0;
-        for (const QRgb* pixel = begin; pixel != next; ++pixel) all &= *pixel, any |= *pixel;
-        std::transform(begin, next, begin, withRedAndBlueSwapped);
-        if (unassociated && qAlpha(all) != 255 && any != 0)
-            for (QRgb* pixel = begin; pixel != next; ++pixel) *pixel = qPremultiply(*pixel);
-        begin = next;
-    }
+    constexpr int kBlock = 16;
+    for (; end - begin >= kBlock; begin += kBlock)
+        toArgb(unassociated, begin, std::integral_constant<int, kBlock>());
+    toArgb(unassociated, begin, static_cast<int>(end - begin));
 }
 
 /// Takes over pixels that are Qt's, and converts others.
