@@ -75,12 +75,13 @@ WindowDrag::Times WindowDrag::drag(const QPointF& from, const std::function<QPoi
     m_sent.push_back(0);
     send(QEvent::MouseMove, m_last);
     if (!m_parts.session.isDragging()) throw std::runtime_error("there is nothing to drag");
-    QTimer due;  // wakes the loop, which otherwise sleeps as a program's does
+    QTimer due;  // wakes the loop for the next move, which otherwise sleeps as a program's does
     due.setTimerType(Qt::PreciseTimer);
-    due.start(static_cast<int>(kMovesEvery));
+    due.setSingleShot(true);
     while (now() < 1e3 * seconds || (m_times.shown.empty() && now() < kMostWaited)) {
         if (stop.stop_requested()) throw Cancelled();
         moveWhenDue(path);
+        due.start(static_cast<int>(std::ceil(kMovesEvery - std::fmod(now(), kMovesEvery))));
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     send(QEvent::MouseButtonRelease, m_last);

@@ -4346,6 +4346,10 @@
         <source>Cropped</source>
         <translation>Zugeschnitten</translation>
     </message>
+    <message>
+        <source>%1 has no transparency: pictures are placed on white.</source>
+        <translation>%1 kennt keine durchsichtigen Stellen: Bilder werden auf Weiß gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>

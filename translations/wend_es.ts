@@ -4346,6 +4346,10 @@
         <source>Cropped</source>
         <translation>Recortado</translation>
     </message>
+    <message>
+        <source>%1 has no transparency: pictures are placed on white.</source>
+        <translation>%1 no tiene transparencia: las imágenes se ponen sobre blanco.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>

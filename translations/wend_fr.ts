@@ -4346,6 +4346,10 @@
         <source>Cropped</source>
         <translation>Rognée</translation>
     </message>
+    <message>
+        <source>%1 has no transparency: pictures are placed on white.</source>
+        <translation>%1 n’a pas de transparence : les images sont posées sur du blanc.</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>

@@ -4340,6 +4340,10 @@
         <source>Cropped</source>
         <translation>切り抜き</translation>
     </message>
+    <message>
+        <source>%1 has no transparency: pictures are placed on white.</source>
+        <translation>%1 は透明を持てないため、画像は白の上に置かれます。</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>

@@ -4340,6 +4340,10 @@
         <source>Cropped</source>
         <translation>已裁剪</translation>
     </message>
+    <message>
+        <source>%1 has no transparency: pictures are placed on white.</source>
+        <translation>%1 不支持透明：图片放在白色上。</translation>
+    </message>
 </context>
 <context>
     <name>wend::ExportPanel</name>

@@ -20,14 +20,16 @@ class BandPainter {
     BandPainter(const WarpJob& job, int band, BandPart part, Image& strip, int top)
         : m_job(job),
           m_part(part),
-          m_strip(strip),
           m_top(top),
           m_band(band),
           m_begin(band * kBandRows),
           m_end(std::min(job.view.height, m_begin + kBandRows)),
           m_channels(job.header.channels),
+          m_stride(static_cast<std::ptrdiff_t>(job.view.width) * m_channels),
+          m_pixels(reinterpret_cast<T*>(strip.data.data())),
           m_paintSpan(spanPainterOf<T>(job.source->base().channels, job.options.filter)) {
         m_task.left = job.view.origin.x(), m_task.scale = job.view.scale, m_task.addsAlpha = job.addsAlpha;
+        m_task.isQuick = job.options.isQuick;
         for (int k = 0; k < job.source->levels(); ++k) m_levels.push_back(level(job.source->level(k)));
         m_shinesThrough = part == BandPart::All && (!job.source->opaque() || !job.options.blends.empty());
         if (m_shinesThrough || job.options.outside != Outside::Transparent)
@@ -48,8 +50,13 @@ class BandPainter {
 
   private:
     T* target(int x, int y) {
-        return reinterpret_cast<T*>(m_strip.row(y - m_top)) + static_cast<std::ptrdiff_t>(x) * m_channels;
+        return m_pixels + static_cast<std::ptrdiff_t>(y - m_top) * m_stride +
+               static_cast<std::ptrdiff_t>(x) * m_channels;
     }
+
+    /// Returns the height of a row's centres. A vector of both coordinates would be stored by halves and
+    /// loaded as a whole, for which the processor waits until all that was painted before is stored.
+    double heightOf(int y) const { return m_job.view.origin.y() + m_job.view.scale * (y + 0.5); }
 
     TexelLevel level(const Image& image) const {
         return {image.data.data(), image.width, image.height, image.unassociated && !m_job.source->opaque(),
@@ -81,7 +88,7 @@ class BandPainter {
         const bool allInner = cell.map.exact && inner(cell.low, cell.high, cell.filter);
         forRuns(cell.rows, m_begin, m_end, m_job.view.width, [&](int y, int from, int to) {
             m_task.begin = from, m_task.end = to;
-            m_task.setRow(cell.map, m_job.plane(0, y + 0.5).y());
+            m_task.setRow(cell.map, heightOf(y));
             m_task.inner = allInner || (cell.map.exact && innerSpan(cell, y));
             visit(y, from, to);
         });
@@ -123,7 +130,7 @@ class BandPainter {
         task.begin = x, task.end = x + 1;
         task.inner = false;
         task.setCell(map, filter);
-        task.setRow(map, m_job.plane(0, y + 0.5).y());
+        task.setRow(map, heightOf(y));
         OutColour colour{};
         m_paintSpan(task, SpanOutput::Colour, colour.data());
         const int channels = m_job.source->base().channels;
@@ -297,8 +304,9 @@ class BandPainter {
 
     const WarpJob& m_job;
     BandPart m_part;
-    Image& m_strip;
     int m_top, m_band, m_begin, m_end, m_channels;
+    std::ptrdiff_t m_stride;  // numbers of a row
+    T* m_pixels;
     bool m_shinesThrough = false;  // what is below a cell's colours counts
     PaintSpan m_paintSpan;
     SpanTask m_task;

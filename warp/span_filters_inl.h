@@ -9,6 +9,7 @@
 #endif
 
 #include "warp/careful_sample.h"
+#include "warp/quick_span_inl.h"
 #include "warp/span_lanes_inl.h"
 #include "warp/span_task.h"
 
@@ -308,6 +309,8 @@ class SpanPainter {
   public:
     HWY_ATTR static void paint(const SpanTask& task, SpanOutput output, void* to) {
         if constexpr (N % 2 == 0 && F != Filter::Nearest) {
+            if (task.isQuick && task.inner && output == SpanOutput::Pixels)
+                return paintQuickly(task, static_cast<T*>(to));
             if (task.level.weighted) return paintPieces<true>(task, output, static_cast<T*>(to));
         }
         paintPieces<false>(task, output, static_cast<T*>(to));
@@ -315,6 +318,29 @@ class SpanPainter {
 
   private:
     static constexpr double kHalf = F == Filter::Nearest ? 0 : 0.5;
+
+    HWY_ATTR static void paintExactly(const SpanTask& task, T* to) {
+        task.level.weighted ? paintPieces<true>(task, SpanOutput::Pixels, to)
+                            : paintPieces<false>(task, SpanOutput::Pixels, to);
+    }
+
+    HWY_ATTR static void paintQuickly(const SpanTask& task, T* to) {
+#if HWY_CAP_GE256
+        if constexpr (std::is_same_v<T, std::uint8_t> && N == 4 && F == Filter::Bilinear) {
+            const QuickSpan span(task);
+            const int count = task.end - task.begin;
+            for (int at = 0; at < count; at += QuickSpan::kLanes, to += QuickSpan::kLanes * N) {
+                const int some = count - at < QuickSpan::kLanes ? count - at : QuickSpan::kLanes;
+                if (span.paint(at, some, to)) continue;
+                SpanTask piece = task;
+                piece.begin = task.begin + at, piece.end = piece.begin + some;
+                paintExactly(piece, to);
+            }
+            return;
+        }
+#endif
+        paintExactly(task, to);
+    }
 
     template <bool weighted>
     HWY_ATTR HWY_INLINE static Colour colourAt(const Filters<T, N, weighted>& filters, const Places& at,

@@ -27,6 +27,7 @@ struct SpanTask {
     float blend = 0;               // 0: bicubic only … 1: elliptical only
     int reachX = 2, reachY = 2;    // whole pixels within the ellipse's box
     bool inner = false;            // all pixels that may be read are in the picture
+    bool isQuick = false;          // see WarpOptions
     bool addsAlpha = false;        // the output has a further channel, full
     int begin = 0, end = 0;
 

@@ -19,6 +19,9 @@ struct PaintingPlan;  // warp/coverage.h
 
 struct WarpOptions {
     Filter filter = Filter::Ewa;
+    /// For a picture that moves: bilinear colours of RGBA with 8 bits may be off by a fortieth of a level
+    /// before they are rounded, and depend on where the view begins.
+    bool isQuick = false;
     Outside outside = Outside::Transparent;
     std::array<float, 4> colour = {0, 0, 0, 0};  // of Outside::Colour, associated, in [0, 1]
     bool antialias = true;                       // coverage along the outline
@@ -41,6 +44,9 @@ struct WarpOptions {
     MakeCellPainter makePainter;
     std::stop_token stop;
     std::function<void(double)> progress;  // fraction done; called from any thread
+    /// Called with rows of the result when they are painted, from any thread: their first byte and their
+    /// number. It may change them.
+    std::function<void(std::byte*, int)> finishRows;
 };
 
 /// Returns the place of a view in its source of that size, if that can be expressed in whole pixels;

@@ -261,6 +261,9 @@ bool WarpedPicture::paint(int top, Image& strip) const {
         for (int band; (band = next++) < end && !job.options.stop.stop_requested() && !failed;) {
             withPixelType(job.header.type,
                           [&](auto t) { paintBand<decltype(t)>(job, band, part, strip, top); });
+            const int row = band * kBandRows - top;
+            if (job.options.finishRows)
+                job.options.finishRows(strip.row(row), std::min(kBandRows, strip.height - row));
             if (job.options.progress) job.options.progress(static_cast<double>(++done) / job.bands());
         }
     });

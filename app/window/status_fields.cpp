@@ -86,7 +86,10 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
             [this, last = 0](int steps) mutable {
                 if (steps < std::exchange(last, steps)) showMessage({});  // it described the undone step
             });
-    new CalmFollower(session, CalmFollower::Of::Frames, this, [this] { showFrame(); });
+    new CalmFollower(session, CalmFollower::Of::Both, this, [this] {
+        showFrame();
+        showPointer();
+    });
 }
 
 QLabel* StatusFields::add(const QString& name, const QString& help, const QString& widest) {
@@ -139,8 +142,14 @@ void StatusFields::setHint(const QString& hint) {
     m_hint->setHint(hint);
 }
 
+/// Each change of the text lays the window out anew: during a drag it waits for a calm moment.
 void StatusFields::setPointer(const QString& text) {
-    if (text != m_pointer->text()) m_pointer->setText(text);
+    m_pointed = text;
+    if (!m_session.isDragging()) showPointer();
+}
+
+void StatusFields::showPointer() {
+    if (m_pointed != m_pointer->text()) m_pointer->setText(m_pointed);
 }
 
 void StatusFields::showFrame() {

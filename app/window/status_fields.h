@@ -37,8 +37,10 @@ class StatusFields : public QObject {
     class HintLabel;
     QLabel* add(const QString& name, const QString& help, const QString& widest);
     void showFrame();
+    void showPointer();
     QString fitted(const QString& text) const;
 
+    QString m_pointed;  // the newest place of the pointer
     QStatusBar& m_bar;
     ShapeSession& m_session;
     HintLabel* m_hint;

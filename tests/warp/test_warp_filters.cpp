@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <array>
+#include <atomic>
 #include <complex>
 #include <limits>
 #include <numbers>
@@ -23,6 +24,9 @@ class TestWarpFilters : public QObject {
   private slots:
     void viewIsACropOfTheExportInEveryFilter_data();
     void viewIsACropOfTheExportInEveryFilter();
+    void movingPicturesAreBilinear_data();
+    void movingPicturesAreBilinear();
+    void rowsAreFinishedOnce();
     void transparentColoursDoNotBleed_data();
     void transparentColoursDoNotBleed();
     void halvingsWeightColoursByAlpha_data();
@@ -138,6 +142,74 @@ void TestWarpFilters::viewIsACropOfTheExportInEveryFilter() {
                                  valueAt<std::uint16_t>(whole, x + 83, y + 61, c));
         });
     }
+}
+
+void TestWarpFilters::movingPicturesAreBilinear_data() {
+    QTest::addColumn<bool>("opaque");
+    QTest::addColumn<bool>("unassociated");
+    QTest::addColumn<double>("scale");
+    QTest::newRow("opaque") << true << false << 1.0;
+    QTest::newRow("opaque, enlarged") << true << true << 0.3;
+    QTest::newRow("opaque, reduced") << true << true << 2.7;
+    QTest::newRow("transparent") << false << false << 1.0;
+    QTest::newRow("transparent, straight") << false << true << 1.0;
+}
+
+/// Every colour is off by less than a fortieth of a level before it is rounded: few pixels differ, by one.
+/// The shape is also turned upside down, so that spans go backwards through the picture.
+void TestWarpFilters::movingPicturesAreBilinear() {
+    QFETCH(bool, opaque);
+    QFETCH(bool, unassociated);
+    QFETCH(double, scale);
+    Image source = randomPicture(300, 240, 4, PixelType::UInt8, true);
+    source.unassociated = unassociated;
+    for (std::size_t k = 0; k < source.data.size(); k += 4) {
+        const auto alpha = static_cast<std::uint8_t>(source.data[k + 3]);
+        if (opaque) source.data[k + 3] = std::byte{255};
+        for (std::size_t c = 0; !opaque && !unassociated && c < 3; ++c)
+            source.data[k + c] = std::byte(static_cast<std::uint8_t>(source.data[k + c]) * alpha / 255);
+    }
+    const auto mesh = rectangle({7, 7}, {291, 233}, 5);
+    const Points<2> wavy = wave(mesh.points, 7);
+    const Points<2> turned = (-wavy).colwise() + Vec<2>(300, 240);
+    for (const Points<2>& pose : {wavy, turned}) {
+        const View view{260, 200, Vec<2>(11.3, 5.7), scale};
+        WarpOptions options;
+        options.filter = Filter::Bilinear;
+        onEveryTarget([&](SimdTarget) {
+            options.isQuick = false;
+            const Image exact = warpImage(source, mesh, pose, view, options);
+            options.isQuick = true;
+            const Image quick = warpImage(source, mesh, pose, view, options);
+            QCOMPARE(quick.data.size(), exact.data.size());
+            std::size_t others = 0;
+            for (std::size_t k = 0; k < exact.data.size(); ++k) {
+                const int difference =
+                    std::abs(static_cast<int>(exact.data[k]) - static_cast<int>(quick.data[k]));
+                QVERIFY(difference <= 1);
+                others += difference != 0 ? 1 : 0;
+            }
+            QVERIFY(others <= exact.data.size() / 20);
+        });
+    }
+}
+
+/// Also of a strip that ends within a band.
+void TestWarpFilters::rowsAreFinishedOnce() {
+    const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
+    const auto mesh = wholePicture();
+    WarpOptions options;
+    const Image plain = warpImage(source, mesh, mesh.points, kView, options);
+    std::atomic<int> rows = 0;
+    options.finishRows = [&](std::byte* first, int count) {
+        rows += count;
+        std::for_each_n(first, static_cast<std::ptrdiff_t>(plain.rowBytes()) * count,
+                        [](std::byte& one) { one = ~one; });
+    };
+    const Image finished = warpImage(source, mesh, mesh.points, kView, options);
+    QCOMPARE(rows.load(), 48);
+    QCOMPARE(finished.data.size(), plain.data.size());
+    for (std::size_t k = 0; k < plain.data.size(); ++k) QVERIFY(finished.data[k] == ~plain.data[k]);
 }
 
 void TestWarpFilters::transparentColoursDoNotBleed_data() {

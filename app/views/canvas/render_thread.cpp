@@ -41,6 +41,7 @@ QImage warped(const RenderRequest& request, std::stop_token stop) {
     view.scale = 1 / (request.view.zoom() * request.scale());
     WarpOptions options;
     options.filter = request.filter;
+    options.isQuick = request.filter == Filter::Bilinear;
     options.stop = stop;
     options.plan = request.cells ? request.cells->plan : request.plan;
     if (request.texture && !request.cells) options.blends = request.texture->blends();

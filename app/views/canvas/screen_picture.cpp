@@ -103,28 +103,28 @@ QRgb withRedAndBlueSwapped(QRgb pixel) {
     return (pixel & 0xFF00FF00U) | (pixel & 0xFFU) << 16U | (pixel >> 16U & 0xFFU);
 }
 
-/// Converts pixels of four bytes, red first, in place.
-void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
-    constexpr std::ptrdiff_t kBlock = 16;
-    while (begin != end) {
-        QRgb* const next = begin + std::min(kBlock, end - begin);
-        QRgb all = ~QRgb(0), any = 0;
-        for (const QRgb* pixel = begin; pixel != next; ++pixel) all &= *pixel, any |= *pixel;
-        std::transform(begin, next, begin, withRedAndBlueSwapped);
-        if (unassociated && qAlpha(all) != 255 && any != 0)
-            for (QRgb* pixel = begin; pixel != next; ++pixel) *pixel = qPremultiply(*pixel);
-        begin = next;
-    }
+/// Converts `count` pixels of four bytes, red first, in place.
+template <class Count>
+void toArgb(bool unassociated, QRgb* pixels, Count count) {
+    QRgb all = ~QRgb(0), any = 0;
+    for (int k = 0; k < count; ++k) all &= pixels[k], any |= pixels[k];
+    for (int k = 0; k < count; ++k) pixels[k] = withRedAndBlueSwapped(pixels[k]);
+    if (unassociated && qAlpha(all) != 255 && any != 0)
+        for (int k = 0; k < count; ++k) pixels[k] = qPremultiply(pixels[k]);
 }
 
-/// Converts a result of forScreen(), in its own memory.
+/// The same in blocks of a number of pixels that the compiler knows.
+void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
+    constexpr int kBlock = 16;
+    for (; end - begin >= kBlock; begin += kBlock)
+        toArgb(unassociated, begin, std::integral_constant<int, kBlock>());
+    toArgb(unassociated, begin, static_cast<int>(end - begin));
+}
+
+/// Takes over pixels that are Qt's, and converts others.
 QImage toQImage(Image&& pixels) {
     if (pixels.type == PixelType::Half) return encodedImage(pixels);
     auto* owned = new Image(std::move(pixels));
-    for (int y = 0; y < owned->height; ++y) {
-        auto* row = reinterpret_cast<QRgb*>(owned->row(y));
-        toArgb(owned->unassociated, row, row + owned->width);
-    }
     return QImage(
         reinterpret_cast<uchar*>(owned->data.data()), owned->width, owned->height,
         static_cast<qsizetype>(owned->rowBytes()), QImage::Format_ARGB32_Premultiplied,
@@ -137,7 +137,14 @@ ScreenPicture::ScreenPicture(const std::shared_ptr<const Image>& picture) : m_py
 
 QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
                              const WarpOptions& options) const {
-    Image pixels = warpImage(m_pyramid, rest, pose, view, options);
+    WarpOptions own = options;
+    if (image().type == PixelType::UInt8)
+        own.finishRows = [unassociated = image().unassociated, width = view.width](std::byte* first,
+                                                                                   int rows) {
+            auto* const begin = reinterpret_cast<QRgb*>(first);
+            toArgb(unassociated, begin, begin + static_cast<std::ptrdiff_t>(rows) * width);
+        };
+    Image pixels = warpImage(m_pyramid, rest, pose, view, own);
     return pixels.data.empty() ? QImage() : toQImage(std::move(pixels));
 }
 

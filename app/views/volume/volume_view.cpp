@@ -9,8 +9,10 @@ namespace wend {
 namespace {
 
 constexpr int kViewSamples = 4;
-constexpr int kRestAfter = 160;         // milliseconds without motion
-constexpr double kOwnFromBehind = 0.7;  // saturation of back faces, distinguishable from the front
+constexpr double kSlow = 16, kQuickEnough = 3;  // milliseconds of a drawing by the processor
+constexpr int kEasy = 600'000;                  // pixels that are always drawn
+constexpr int kRestAfter = 160;                 // milliseconds without motion
+constexpr double kOwnFromBehind = 0.7;          // saturation of back faces, distinguishable from the front
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 /// Compares points, because Eigen compares matrices of one size only.
@@ -48,6 +50,7 @@ void VolumeView::releaseGl() {
     makeCurrent();
     m_renderer.release();
     m_fine.reset();
+    m_coarse.reset();
     m_textured.reset();
     m_ready = false;
     doneCurrent();
@@ -207,6 +210,7 @@ void VolumeView::initializeGL() {
 
 void VolumeView::resizeGL(int, int) {
     m_fine.reset();
+    m_coarse.reset();
     m_painted.reset();
 }
 
@@ -266,19 +270,44 @@ QColor VolumeView::background() const {
     return m_background.isValid() ? m_background : palette().color(QPalette::Base).darker(104);
 }
 
-/// Matches the size of the view's buffer, which another screen may change without a resize. Returns false if
-/// memory is insufficient.
-bool VolumeView::bindFine() {
-    const QSize pixels = size() * devicePixelRatioF();
-    if (!m_fine || m_fine->size() != pixels) {
+/// Makes the buffer anew if it has another size: that of the view's buffer changes without a resize on
+/// another screen. Returns false if memory is insufficient.
+bool VolumeView::bind(std::unique_ptr<QOpenGLFramebufferObject>& buffer, const QSize& pixels, int samples) {
+    if (!buffer || buffer->size() != pixels) {
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-        format.setSamples(kViewSamples);
-        m_fine = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+        format.setSamples(samples);
+        buffer = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
     }
-    if (m_fine->isValid() && m_fine->bind()) return true;
+    if (buffer->isValid() && buffer->bind()) return true;
     QOpenGLFramebufferObject::bindDefault();
     return false;
+}
+
+/// Draws with antialiased edges; with those of single pixels if memory is insufficient.
+void VolumeView::drawFinely(const Scene& scene) {
+    const bool isFine = bind(m_fine, scene.sight.pixels, kViewSamples);
+    drawScene(scene.sight, scene.background);
+    if (!isFine) return;
+    QOpenGLFramebufferObject::bindDefault();
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
+}
+
+/// Draws what moves: with fewer pixels, which are enlarged, if the last such drawings took too long.
+void VolumeView::drawCoarsely(const Scene& scene) {
+    Sight sight = scene.sight;
+    const QSize all = sight.pixels;
+    sight.pixels = all / 2;
+    sight.pixelsPer /= 2;
+    if (!m_isSlow || all.width() * all.height() <= kEasy || !bind(m_coarse, sight.pixels, 0))
+        return drawScene(scene.sight, scene.background);
+    auto* gl = context()->functions();
+    gl->glViewport(0, 0, sight.pixels.width(), sight.pixels.height());
+    drawScene(sight, scene.background);
+    QOpenGLFramebufferObject::bindDefault();
+    gl->glViewport(0, 0, all.width(), all.height());
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(QPoint(), all), m_coarse.get(),
+                                              QRect(QPoint(), sight.pixels), GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 /// Reuses the last drawing if only marks have changed.
@@ -292,16 +321,10 @@ void VolumeView::paintGL() {
     m_painted = now;
     QElapsedTimer clock;
     clock.start();
-    if (now.coarse) {
-        drawScene(now.sight, now.background);
-    } else {
-        const bool isFine = bindFine();
-        drawScene(now.sight, now.background);
-        if (isFine) QOpenGLFramebufferObject::bindDefault();
-        if (isFine) QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_fine.get());
-    }
+    now.coarse ? drawCoarsely(now) : drawFinely(now);
     if (m_renderer.isSoftware()) context()->functions()->glFinish();
     m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;
+    if (now.coarse) m_isSlow = m_times.draw > (m_isSlow ? kQuickEnough : kSlow);
 }
 
 }  // namespace wend

@@ -121,7 +121,6 @@ class VolumeView : public QOpenGLWidget {
     void uploadMeshes();
     void uploadTextures();
     void releaseGl();
-    bool bindFine();
     void uploadPose();
     void uploadColours();
     void uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin);
@@ -146,7 +145,10 @@ class VolumeView : public QOpenGLWidget {
     Scene scene() const;
     bool isStale() const;
     SurfaceStyle style() const;
+    static bool bind(std::unique_ptr<QOpenGLFramebufferObject>& buffer, const QSize& pixels, int samples);
     void drawScene(const Sight& sight, const QColor& background);
+    void drawFinely(const Scene& scene);
+    void drawCoarsely(const Scene& scene);
     QImage tile(const QRect& part, const QSize& whole, const QColor& background);
     QColor background() const;
     Eigen::Vector2d pixelOf(const QPointF& p) const { return {p.x(), p.y()}; }
@@ -169,13 +171,14 @@ class VolumeView : public QOpenGLWidget {
     Navigation m_navigation;
     QColor m_background;
     std::vector<DrawVertex> m_glyphs, m_veiled;
-    std::unique_ptr<QOpenGLFramebufferObject> m_fine;
+    std::unique_ptr<QOpenGLFramebufferObject> m_fine, m_coarse;
     QTimer m_rest;  // runs while something moves
     FrameTimes m_times;
     std::optional<Scene> m_painted;  // the content of the view's buffer
     int m_largestTile = 2048, m_drawnTriangles = 0;
     bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
     bool m_glyphsStale = false, m_ready = false, m_hasNormals = false, m_hasContour = false;
+    bool m_isSlow = false;  // what moves is drawn with fewer pixels
 };
 
 }  // namespace wend

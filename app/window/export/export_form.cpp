@@ -18,6 +18,7 @@
 #include "app/window/export/answer.h"
 #include "app/window/export/export_formats.h"
 #include "core/base/error.h"
+#include "warp/film_format.h"
 #include "warp/image_formats.h"
 
 namespace wend {
@@ -89,6 +90,7 @@ void ExportForm::reset() {
         if (field.choices().isEmpty() && field.number() != number) field.setNumber(number);
     }
     m_part.reset();
+    m_wasTransparent = false;
     m_seconds = m_rate = 0;
 }
 
@@ -186,6 +188,7 @@ OptionValues ExportForm::values() const {
 void ExportForm::tie(const OptionField& changed) {
     if (!shape()) return;
     if (&changed == field("--width")) tieWidth();
+    if (&changed == field("--outside")) m_wasTransparent = false;
     tieRate(changed);
 }
 
@@ -223,6 +226,7 @@ void ExportForm::adapt() {
     if (!shape()) return;
     showFields();
     if (takes("--depth")) showDepths();
+    if (takes("--outside")) showBackgrounds();
     showCrop();
     showWidth();
     m_facts->setText(pixels());
@@ -263,6 +267,25 @@ void ExportForm::showDepths() {
     depth->setChoices(QStringList(QStringLiteral("picture")) + choices);
     depth->setWords(QStringLiteral("picture"),
                     kept ? tr("As in the picture") : tr("As it suits the format best"));
+}
+
+bool ExportForm::holdsTransparency() const {
+    const std::string file = "picture" + extension().toStdString();
+    return kind() == ExportKind::Film ? filmFormatOf(file)->alpha : holdsAlpha(file);
+}
+
+/// Where a format has no transparency, the white that such pictures are placed on is what is shown and
+/// chosen.
+void ExportForm::showBackgrounds() {
+    OptionField* background = field("--outside");
+    const bool holds = holdsTransparency();
+    background->allow(
+        0, holds, tr("%1 has no transparency: pictures are placed on white.").arg(m_format->currentText()));
+    const std::string from = holds ? "white" : "transparent", to = holds ? "transparent" : "white";
+    if (background->value() != from || (holds && !m_wasTransparent)) return;
+    const QSignalBlocker quiet(background);
+    background->setValue(to);
+    m_wasTransparent = !holds;
 }
 
 void ExportForm::showCrop() {

@@ -81,6 +81,8 @@ class ExportForm : public QWidget {
     void showWidth();
     void showFields();
     void showDepths();
+    bool holdsTransparency() const;
+    void showBackgrounds();
     void showCrop();
     QString pixels() const;
     void preparePicture();
@@ -91,7 +93,8 @@ class ExportForm : public QWidget {
     ExportSubject m_subject;
     std::map<ExportKind, QString> m_formats;  // chosen last, by name
     std::optional<PixelRect> m_part;          // that is offered as canvas
-    double m_seconds = 0, m_rate = 0;         // duration and rate for which the count was computed
+    bool m_wasTransparent = false;     // the chosen background, before a format that has no transparency
+    double m_seconds = 0, m_rate = 0;  // duration and rate for which the count was computed
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form;

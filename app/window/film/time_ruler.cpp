@@ -160,15 +160,22 @@ void TimeRuler::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void TimeRuler::markCycle(int end) {
+    markCycle(end, m_session.playback().time());
+}
+
+void TimeRuler::markCycle(int end, double time) {
     if (m_scale.end() <= 0) return;
-    const double now = m_scale.onFrame(m_session.playback().time());
-    change(tr("Change cycle"), end == 0 ? withCycle(project(), now, {}) : withCycle(project(), {}, now));
+    const double at = m_scale.onFrame(time);
+    change(tr("Change cycle"), end == 0 ? withCycle(project(), at, {}) : withCycle(project(), {}, at));
 }
 
 void TimeRuler::addMarker() {
+    addMarker(m_session.playback().time());
+}
+
+void TimeRuler::addMarker(double time) {
     if (m_scale.end() <= 0) return;
-    change(tr("Add marker"),
-           withMarker(project(), m_scale.onFrame(m_session.playback().time()), tr("Marker").toStdString()));
+    change(tr("Add marker"), withMarker(project(), m_scale.onFrame(time), tr("Marker").toStdString()));
 }
 
 void TimeRuler::rename(int marker) {
@@ -194,15 +201,18 @@ void TimeRuler::fillRates(QMenu& menu) {
     }
 }
 
-void TimeRuler::addCycleActions(QMenu& menu) {
-    menu.addAction(tr("Cycle &from Here") + QStringLiteral("\tI"), this, [this] { markCycle(0); });
-    menu.addAction(tr("Cycle &to Here") + QStringLiteral("\tO"), this, [this] { markCycle(1); });
+void TimeRuler::addCycleActions(QMenu& menu, double here) {
+    menu.addAction(tr("Cycle &from Here") + QStringLiteral("\tI"), this, [=, this] { markCycle(0, here); });
+    menu.addAction(tr("Cycle &to Here") + QStringLiteral("\tO"), this, [=, this] { markCycle(1, here); });
     menu.addAction(tr("&No Cycle"), this, [this] { change(tr("Remove cycle"), withoutCycle(project())); })
         ->setEnabled(m_marks.cycle.has_value());
 }
 
+/// What the menu does with a time it does where it was asked for; its keys do it at the time shown.
 void TimeRuler::contextMenuEvent(QContextMenuEvent* event) {
     if (m_scale.end() <= 0 || m_drag != Drag::None) return;
+    const bool isPlace = event->reason() == QContextMenuEvent::Mouse;
+    const double here = isPlace ? snapped(event->pos().x()) : m_session.playback().time();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* poses = menu->addAction(tr("Show Key &Poses"), this, [this](bool shown) {
@@ -217,9 +227,9 @@ void TimeRuler::contextMenuEvent(QContextMenuEvent* event) {
     auto* rates = menu->addMenu(QString());
     fillRates(*rates);
     menu->addSeparator();
-    addCycleActions(*menu);
+    addCycleActions(*menu, here);
     menu->addSeparator();
-    menu->addAction(tr("Add &Marker") + QStringLiteral("\tShift+M"), this, &TimeRuler::addMarker);
+    menu->addAction(tr("Add &Marker") + QStringLiteral("\tShift+M"), this, [=, this] { addMarker(here); });
     if (const int marker = hitAt(event->pos()).marker; marker >= 0) {
         menu->addAction(tr("R&ename Marker…"), this, [this, marker] { rename(marker); });
         menu->addAction(tr("Re&move Marker"), this,

@@ -57,7 +57,9 @@ class TimeRuler : public QWidget {
     void change(const QString& what, const std::shared_ptr<const Project>& next);
     void rename(int marker);
     void fillRates(QMenu& menu);
-    void addCycleActions(QMenu& menu);
+    void addCycleActions(QMenu& menu, double here);
+    void markCycle(int end, double time);
+    void addMarker(double time);
     void paintTicks(QPainter& painter) const;
     void paintCycle(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;

@@ -430,9 +430,14 @@ void TestTracks::cycleIsMarked() {
     show(3);
     QTest::keyClick(&tracks(), Qt::Key_I);  // behind its end, which gives way
     QVERIFY((*marks().cycle == std::array{3.0, 4.0}));
+    menuEntry(ruler(), at(1), QStringLiteral("Cycle from Here"))->trigger();  // where it was right-clicked
+    QVERIFY(std::abs(marks().cycle->at(0) - 1) <= pixel() && marks().cycle->at(1) == 4);
+    menuEntry(ruler(), at(2), QStringLiteral("Cycle to Here"))->trigger();
+    QVERIFY(std::abs(marks().cycle->at(1) - 2) <= pixel());
+    QCOMPARE(session().playback().time(), 3.0);
     menuEntry(ruler(), at(1), QStringLiteral("No Cycle"))->trigger();
     QVERIFY(!marks().cycle);
-    QCOMPARE(undo().count(), steps + 6);
+    QCOMPARE(undo().count(), steps + 8);
     undo().setIndex(steps);
     QVERIFY(!marks().cycle);
 }
@@ -458,6 +463,9 @@ void TestTracks::markersNameTimes() {
     menuEntry(ruler(), ruler().markerSpot(0).toPoint(), QStringLiteral("Remove Marker"))->trigger();
     QCOMPARE(marks().markers.size(), 1U);
     QCOMPARE(marks().markers[0].name, std::string("Marker 1"));
+    const QPoint there(int(tracks().scale().xOf(1)), 12);  // not the time shown
+    menuEntry(ruler(), there, QStringLiteral("Add Marker"))->trigger();
+    QVERIFY(std::abs(marks().markers[0].at - 1) <= 2 * pixel());
 }
 
 void TestTracks::framesAreCounted() {

@@ -32,6 +32,7 @@ class TestExportDialog : public QObject {
     void optionsComeFromTheTable();
     void everyOptionOfARunIsThere();
     void formatsDecideWhatIsAsked();
+    void transparencyIsOfferedWhereItIsHeld();
     void cropIsToldAndFits();
     void littleThatIsCutOffIsToldToo();
     void cropsAreToldSideBySide();
@@ -208,6 +209,39 @@ void TestExportDialog::formatsDecideWhatIsAsked() {
     QVERIFY(mesh->form().field("--fields")->isVisible() && !mesh->form().field("--msh")->isVisible());
     QCOMPARE(runOptionsFrom(mesh->form().values()).meshes.gmshVersion, 4);  // what is hidden says nothing
     if (waitForPreview(*mesh)) keepPicture(*mesh, "export-mesh.png");
+}
+
+/// What stands for it elsewhere is what is written: white. The choice comes back with a format that holds it,
+/// unless another one was made.
+void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
+    open(writeCutOut(*m_folder));
+    bend(-10, 25);
+    for (const auto& [kind, without, with] :
+         {std::tuple{ExportKind::Film, ".mp4", ".webm"}, std::tuple{ExportKind::Picture, ".jpg", ".png"}}) {
+        const auto asked = dialog(kind);
+        OptionField* background = asked->form().field("--outside");
+        auto* list = background->findChild<QComboBox*>();
+        const auto offered = [list] {
+            return list->model()->index(0, 0).flags().testFlag(Qt::ItemIsEnabled);
+        };
+        const auto written = [&] { return asked->form().values().text("--outside"); };
+        choose(*asked, without);
+        QCOMPARE(written(), std::string("white"));
+        QCOMPARE(list->currentText(), QStringLiteral("White"));
+        QVERIFY(!offered());
+        QVERIFY(list->itemData(0, Qt::ToolTipRole).toString().contains(QStringLiteral("white")));
+        choose(*asked, with);
+        QCOMPARE(written(), std::string("transparent"));
+        QVERIFY(offered());
+        choose(*asked, without);
+        background->setValue("black");
+        choose(*asked, with);
+        QCOMPARE(written(), std::string("black"));
+        background->setValue("white");  // as chosen by hand
+        choose(*asked, without);
+        choose(*asked, with);
+        QCOMPARE(written(), std::string("white"));
+    }
 }
 
 /// False if a letter is there already; a text may have none.

@@ -37,6 +37,7 @@ class TestVolumeView : public QObject {
     void missingPicturesAreToldOnce();
     void fitShowsGlyphs();
     void fineDrawingOutlivesTheBeginningOfAMotion();
+    void whatMovesIsInItsPlace();
     void manyTrianglesAreDrawn();
     void edgesFadeWhereTheyAreDense();
     void faceOfACutHasAnOutline();
@@ -620,6 +621,35 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
     picture.pose.row(2) *= 1.2;
     m_view->setPicture(picture, false);
     QVERIFY(m_view->grabFramebuffer() != fine);
+}
+
+/// Where the processor draws, what moves may have fewer pixels, once it has been slow: they fill the view,
+/// and at rest all are there again.
+void TestVolumeView::whatMovesIsInItsPlace() {
+    const VolumePicture picture = waves(224);
+    VolumePicture other = picture;
+    other.pose.row(2) *= 1.3;
+    const auto restore = qScopeGuard([this, size = m_view->size()] { m_view->resize(size); });
+    m_view->resize(1600, 1000);
+    m_view->look(Camera::Axis::Isometric);
+    m_view->setPicture(picture, true);
+    QTest::qWait(250);  // nothing moves any more
+    const QImage fine = m_view->grabFramebuffer();
+    QImage moving;
+    for (int k = 0; k < 4; ++k) {
+        const VolumePicture* next = k % 2 == 0 ? &other : &picture;
+        m_view->hurry();
+        m_view->setPicture(*next, false);
+        moving = m_view->grabFramebuffer();
+        QCOMPARE(moving.size(), fine.size());
+    }
+    double sum = 0;
+    for (int y = 0; y < fine.height(); y += 3)
+        for (int x = 0; x < fine.width(); x += 3)
+            sum += std::abs(qGray(moving.pixel(x, y)) - qGray(fine.pixel(x, y)));
+    const double mean = 9 * sum / fine.width() / fine.height();
+    QVERIFY2(mean < 3, qPrintable(QString::number(mean)));
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->grabFramebuffer() == fine, 20000);
 }
 
 namespace {

@@ -645,14 +645,19 @@ void TestWindow::numbersBelowThePicture() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    dragPin(200, 80, 25, 10);
-    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(225, 90));
-    QVERIFY(settle(m_window->session()));
     const auto shown = [this](const QString& name) {
         for (const auto* label : m_window->statusBar()->findChildren<QLabel*>())
             if (label->accessibleName() == name) return label->text();
         return QString();
     };
+    const auto placeText = [this](const QPoint& there) {
+        const Vec<2> p = m_window->canvas().toShape(there);
+        return QLocale().toString(p.x(), 'f', 1) + QStringLiteral(", ") + QLocale().toString(p.y(), 'f', 1);
+    };
+    dragPin(200, 80, 25, 10);
+    QTRY_COMPARE(shown(QStringLiteral("Position")), placeText(at(225, 90)));  // of the last of many moves
+    QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(225, 90));
+    QVERIFY(settle(m_window->session()));
     const auto frame = m_window->session().frame<2>();
     double pose = 0, rest = 0;
     for (const auto& cell : frame->rest->cells) {
@@ -665,10 +670,8 @@ void TestWindow::numbersBelowThePicture() {
              QStringLiteral("area +%1 %").arg(QLocale().toString(grown, 'f', 1)));
     const QPoint there = at(70, 30);
     QTest::mouseMove(&m_window->canvas(), there);
-    const Vec<2> p = m_window->canvas().toShape(there);
-    QTRY_COMPARE(
-        shown(QStringLiteral("Position")),  // a real X server tells of it in its own time
-        QLocale().toString(p.x(), 'f', 1) + QStringLiteral(", ") + QLocale().toString(p.y(), 'f', 1));
+    // A real X server tells of it in its own time.
+    QTRY_COMPARE(shown(QStringLiteral("Position")), placeText(there));
 }
 
 void TestWindow::recentFilesAreTheLastOnesFirst() {
