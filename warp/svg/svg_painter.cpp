@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/number_text.h"
 #include "warp/svg/svg_style.h"
 #include "warp/svg/vector_maker.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr int kMostLayers = 200;  // composited of one drawing: each is drawn in full size
 constexpr int kDeepest = 12;      // layers within layers
 constexpr const char* kMark = "data-wend-layer";
+constexpr const char* kRetired = "data-wend-retired";
 
 /// Removes a property, wherever the element says it.
 void removeProperty(pugi::xml_node node, const char* name) {
@@ -37,25 +39,21 @@ pugi::xml_node markedIn(const pugi::xml_node& document) {
     return document.find_node([](const pugi::xml_node& node) { return bool(node.attribute(kMark)); });
 }
 
-/// Returns the element that a property of another one refers to; none if it is of another kind, or in units
-/// of a box.
-pugi::xml_node referred(const pugi::xml_node& from, const std::string& value, const char* kind,
-                        const char* units) {
+/// Returns the element that a property of another one refers to; none if it is of another kind.
+pugi::xml_node referred(const pugi::xml_node& from, const std::string& value, const char* kind) {
     const std::string id = idInUrl(value);
     if (id.empty()) return {};
-    const pugi::xml_node found = from.root().find_node([&](const pugi::xml_node& node) {
+    return from.root().find_node([&](const pugi::xml_node& node) {
         return std::string_view(node.name()) == kind && id == node.attribute("id").value();
     });
-    const bool isOfBox = std::string_view(found.attribute(units).value()) == "objectBoundingBox";
-    return isOfBox ? pugi::xml_node() : found;
 }
 
 pugi::xml_node clipOf(const pugi::xml_node& node) {
-    return referred(node, valueOf(styleOf(node, {}), "clip-path"), "clipPath", "clipPathUnits");
+    return referred(node, valueOf(styleOf(node, {}), "clip-path"), "clipPath");
 }
 
 pugi::xml_node maskOf(const pugi::xml_node& node) {
-    return referred(node, valueOf(styleOf(node, {}), "mask"), "mask", "maskContentUnits");
+    return referred(node, valueOf(styleOf(node, {}), "mask"), "mask");
 }
 
 double opacityOf(const pugi::xml_node& node) {
@@ -88,6 +86,19 @@ pugi::xml_node firstLayer(const pugi::xml_node& parent) {
     return {};
 }
 
+/// Moves an element to definitions, where it is not drawn, but may be used.
+void retire(pugi::xml_node node) {
+    node.remove_attribute(kMark);
+    pugi::xml_node root = node;
+    while (root.parent() != node.root()) root = root.parent();
+    pugi::xml_node place = root.first_child();
+    if (!place.attribute(kRetired)) {
+        place = root.prepend_child("defs");
+        place.append_attribute(kRetired) = "";
+    }
+    place.append_move(node);
+}
+
 enum class Side { Before, After };
 
 /// Removes what is drawn on a side of an element, all the way up; definitions stay.
@@ -98,16 +109,26 @@ void removeSide(pugi::xml_node node, Side side) {
     for (; node.parent(); node = node.parent())
         for (pugi::xml_node other = next(node), then; other; other = then) {
             then = next(other);
-            if (isDrawn(other)) node.parent().remove_child(other);
+            if (isDrawn(other)) retire(other);
         }
 }
 
-/// Puts the content of a clip path or a mask in the place of the marked element.
-void replaceByContent(const pugi::xml_node& node, const pugi::xml_node& content, bool clips) {
+/// Returns the transform list that takes the unit square to a box.
+std::string fromUnitSquare(const QRectF& box) {
+    std::string text = "matrix(" + numberText(box.width()) + " 0 0 " + numberText(box.height());
+    return text + ' ' + numberText(box.x()) + ' ' + numberText(box.y()) + ')';
+}
+
+/// Puts the content of a clip path or a mask in the place of the marked element. `viewBox` is the drawing's.
+void replaceByContent(const pugi::xml_document& drawing, const pugi::xml_node& node,
+                      const pugi::xml_node& content, bool clips, const QRectF& viewBox) {
     pugi::xml_node place = node.parent().insert_child_before("g", node);
     place.append_attribute("transform") = node.attribute("transform").value();
     pugi::xml_node inner = place.append_child("g");
-    inner.append_attribute("transform") = clips ? content.attribute("transform").value() : "";
+    std::string transform = clips ? content.attribute("transform").value() : "";
+    if (isOfBox(content, clips ? "clipPathUnits" : "maskContentUnits"))
+        transform += ' ' + fromUnitSquare(boxOf(drawing, node, viewBox));
+    inner.append_attribute("transform") = transform.c_str();
     inner.append_attribute("style") = "fill:#000;stroke:none;fill-opacity:1;fill-rule:nonzero";
     for (const pugi::xml_node& child : content.children()) {
         pugi::xml_node copy = inner.append_copy(child);
@@ -119,13 +140,13 @@ void replaceByContent(const pugi::xml_node& node, const pugi::xml_node& content,
     }
     removeSide(node, Side::After);
     removeSide(place, Side::Before);
-    node.parent().remove_child(node);
+    retire(node);
 }
 
 /// Draws documents, which it changes.
 class SvgPainter {
   public:
-    explicit SvgPainter(const QSize& size) : m_size(size) {}
+    SvgPainter(const QRectF& viewBox, const QSize& size) : m_viewBox(viewBox), m_size(size) {}
 
     QImage painted(pugi::xml_document& document, int depth = 0) {
         QImage image(m_size, QImage::Format_RGBA8888_Premultiplied);
@@ -142,11 +163,11 @@ class SvgPainter {
             before.reset(document);
             const pugi::xml_node marked = markedIn(before);
             removeSide(marked, Side::After);
-            marked.parent().remove_child(marked);
+            retire(marked);
             plain(before, painter);
             painter.drawImage(0, 0, layerOf(document, depth));
             removeSide(layer, Side::Before);
-            layer.parent().remove_child(layer);
+            retire(layer);
         }
         plain(document, painter);
         return image;
@@ -198,23 +219,24 @@ class SvgPainter {
         pugi::xml_document own;
         own.reset(document);
         const pugi::xml_node node = markedIn(own);
-        replaceByContent(node, clips ? clipOf(node) : maskOf(node), clips);
+        replaceByContent(own, node, clips ? clipOf(node) : maskOf(node), clips, m_viewBox);
         return painted(own, depth + 1);
     }
 
+    QRectF m_viewBox;
     QSize m_size;
     int m_layers = 0;
 };
 
 }  // namespace
 
-QImage paintedSvg(const pugi::xml_document& drawing, const QSize& size) {
+QImage paintedSvg(const pugi::xml_document& drawing, const QRectF& viewBox, const QSize& size) {
     pugi::xml_document document;
     document.reset(drawing);
     resolveStyleSheets(document);
     const bool isPlain = !firstLayer(document.document_element());
     if (isPlain) document.reset(drawing);  // Qt's library reads style sheets itself
-    return SvgPainter(size).painted(document);
+    return SvgPainter(viewBox, size).painted(document);
 }
 
 }  // namespace wend
