@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kFitMargin = 36;
 constexpr int kRefineAfter = 140;  // milliseconds
-constexpr int kRefineInDrag = 400;
+constexpr int kRefineInDrag = 250;
 constexpr int kMarksEvery = 20;       // without a frame
 constexpr double kSeenBeyond = 0.01;  // of the picture
 

@@ -1,10 +1,13 @@
 #include "app/views/canvas/drawing_pace.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wend {
 
 namespace {
 
-constexpr double kEasy = 1.5e6;       // pixels that are always drawn
+constexpr double kFewest = 0.2e6;     // pixels: no picture is coarser
 constexpr double kUnknown = 3e6;      // and so many while nothing is known
 constexpr double kTime = 14;          // milliseconds: with the rest of the pipeline 30 frames per second
 constexpr double kFinerMargin = 0.7;  // fraction of the time: hysteresis
@@ -15,13 +18,14 @@ constexpr int kCoarsest = 4;
 
 bool DrawingPace::isInTime(double pixels, int coarseness, double margin) const {
     const double drawn = pixels / (coarseness * coarseness);
-    if (drawn <= kEasy && coarseness == 1) return true;
     return m_perPixel > 0 ? drawn * m_perPixel <= margin * kTime : drawn <= kUnknown;
 }
 
 int DrawingPace::coarseness(double pixels) {
+    const int coarsest = std::clamp(static_cast<int>(std::sqrt(pixels / kFewest)), 1, kCoarsest);
+    m_coarseness = std::min(m_coarseness, coarsest);
     while (m_coarseness > 1 && isInTime(pixels, m_coarseness - 1, kFinerMargin)) --m_coarseness;
-    while (m_coarseness < kCoarsest && !isInTime(pixels, m_coarseness, 1)) ++m_coarseness;
+    while (m_coarseness < coarsest && !isInTime(pixels, m_coarseness, 1)) ++m_coarseness;
     return m_coarseness;
 }
 
