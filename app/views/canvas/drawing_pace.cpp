@@ -10,6 +10,8 @@ namespace {
 constexpr double kFewest = 0.2e6;     // pixels: no picture is coarser
 constexpr double kUnknown = 3e6;      // and so many while nothing is known
 constexpr double kTime = 14;          // milliseconds: with the rest of the pipeline 30 frames per second
+constexpr double kSmall = 1.5e6;      // pixels of a view that gets more time before it is coarser than the screen:
+constexpr double kFineTime = 20;      // milliseconds
 constexpr double kFinerMargin = 0.7;  // fraction of the time: hysteresis
 constexpr double kNewest = 0.3;       // weight of the last picture
 constexpr int kCoarsest = 4;
@@ -18,7 +20,8 @@ constexpr int kCoarsest = 4;
 
 bool DrawingPace::isInTime(double pixels, int coarseness, double margin) const {
     const double drawn = pixels / (coarseness * coarseness);
-    return m_perPixel > 0 ? drawn * m_perPixel <= margin * kTime : drawn <= kUnknown;
+    const double time = pixels <= kSmall && coarseness == 1 ? kFineTime : kTime;
+    return m_perPixel > 0 ? drawn * m_perPixel <= margin * time : drawn <= kUnknown;
 }
 
 int DrawingPace::coarseness(double pixels) {
