@@ -642,7 +642,10 @@ void TestPartList::noteNamesTheFilling() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
     auto* note = m_f->window().findChild<WorkNote*>();
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QVERIFY(banner->text().contains("fills its frame"));
     makePart(session, {{{{200, 150}, {700, 150}, {700, 550}, {200, 550}}}});
+    QVERIFY(!banner->text().contains("fills its frame"));  // the ground is held
     QTRY_VERIFY_WITH_TIMEOUT(!note->text().isEmpty(), 20000);
     QCOMPARE(note->text(), QString("Filling the ground behind “Part 1” …"));
     QVERIFY(settle(session));
