@@ -50,6 +50,7 @@ class TestLayeredFiles : public QObject {
     void groupsAreLayers();
     void drawingsAreComposited();
     void drawingsAreClippedByBoxes();
+    void clipsAreNotDrawn();
     void damagedDrawings();
     void layersOfOtherKinds();
     void lzf();
@@ -391,6 +392,31 @@ void TestLayeredFiles::drawingsAreClippedByBoxes() {
     QCOMPARE(alphaAt(88, 16), 255);  // the box reaches from 80 to 112
     QCOMPARE(alphaAt(95.5, 40), 255);
     QCOMPARE(alphaAt(96.5, 40), 0);
+}
+
+/// Clip paths and masks stand among what is drawn, and clip by what they use, as Illustrator writes them.
+void TestLayeredFiles::clipsAreNotDrawn() {
+    const std::string path = written("among.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32">
+<g><defs><rect id="shape" x="4" y="4" width="24" height="24"/></defs><clipPath id="clip"><use xlink:href="#shape"/></clipPath>
+<g clip-path="url(#clip)"><rect width="16" height="32" fill="#f00"/></g></g>
+<mask id="unused"><rect x="40" width="16" height="32" fill="#fff"/></mask></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto at = [&](double x, double y) {
+        const auto channel = [&](int c) {
+            return sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), c);
+        };
+        return std::array{channel(0), channel(1), channel(2), channel(3)};
+    };
+    QVERIFY((at(10, 10) == std::array{255, 0, 0, 255}));
+    for (const double x : {2.0, 20.0, 30.0, 48.0}) QCOMPARE(at(x, 10)[3], 0);
+    const std::string alone =
+        written("alone.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="128" height="32"
+     viewBox="0 0 128 32"><clipPath id="c"><rect width="9" height="9"/></clipPath><rect x="64" width="9" height="9"/></svg>)svg");
+    const Image plain = readImage(alone);
+    QCOMPARE(sample(plain, 4 * scale, 4 * scale, 3), 0);
+    QCOMPARE(sample(plain, 68 * scale, 4 * scale, 3), 255);
 }
 
 void TestLayeredFiles::damagedDrawings() {
