@@ -41,8 +41,7 @@ void separatePixel(const float* picture, std::size_t colours, float share, float
     if (g < 1) t = std::max(t, (alpha - g) / (1 - g));
     if (g == 1) {
         float least = 0;
-        for (std::size_t c = 0; c < colours; ++c)
-            least = std::max(least, leastAlpha(picture[c], ground[c]));
+        for (std::size_t c = 0; c < colours; ++c) least = std::max(least, leastAlpha(picture[c], ground[c]));
         return separateColours(picture, colours, std::max(t, std::min(least, kSoonest * share)), ground, top);
     }
     t = std::min(t, 1.0F);

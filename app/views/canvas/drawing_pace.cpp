@@ -7,10 +7,11 @@ namespace wend {
 
 namespace {
 
-constexpr double kFewest = 0.2e6;     // pixels: no picture is coarser
-constexpr double kUnknown = 3e6;      // and so many while nothing is known
-constexpr double kTime = 14;          // milliseconds: with the rest of the pipeline 30 frames per second
-constexpr double kSmall = 1.5e6;      // pixels of a view that gets more time before it is coarser than the screen:
+constexpr double kFewest = 0.2e6;  // pixels: no picture is coarser
+constexpr double kUnknown = 3e6;   // and so many while nothing is known
+constexpr double kTime = 14;       // milliseconds: with the rest of the pipeline 30 frames per second
+constexpr double kSmall =
+    1.5e6;  // pixels of a view that gets more time before it is coarser than the screen:
 constexpr double kFineTime = 20;      // milliseconds
 constexpr double kFinerMargin = 0.7;  // fraction of the time: hysteresis
 constexpr double kNewest = 0.3;       // weight of the last picture
