@@ -2138,6 +2138,10 @@
         <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
         <translation>In diesem Bereich ist höchstens Gesperrtes. Die Liste der Teile entsperrt es.</translation>
     </message>
+    <message>
+        <source>The parts are still being made. Another one can be made as soon as they are there.</source>
+        <translation>Die Teile werden noch gemacht. Sobald sie da sind, lässt sich ein weiterer machen.</translation>
+    </message>
 </context>
 <context>
     <name>PenTool</name>
@@ -8668,6 +8672,10 @@
     <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Filling the ground behind “%1” …</source>
+        <translation>Der Grund hinter „%1“ wird gefüllt …</translation>
     </message>
 </context>
 </TS>

@@ -2138,6 +2138,10 @@
         <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
         <translation>En esta zona no hay más que lo bloqueado, si hay algo. La lista de partes lo desbloquea.</translation>
     </message>
+    <message>
+        <source>The parts are still being made. Another one can be made as soon as they are there.</source>
+        <translation>Las partes aún se están haciendo. Se podrá hacer otra en cuanto estén.</translation>
+    </message>
 </context>
 <context>
     <name>PenTool</name>
@@ -8668,6 +8672,10 @@
     <message>
         <source>Progress</source>
         <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Filling the ground behind “%1” …</source>
+        <translation>Rellenando el fondo detrás de «%1»…</translation>
     </message>
 </context>
 </TS>

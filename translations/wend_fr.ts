@@ -2138,6 +2138,10 @@
         <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
         <translation>Il n’y a dans cette zone rien d’autre que ce qui est verrouillé. La liste des parties le déverrouille.</translation>
     </message>
+    <message>
+        <source>The parts are still being made. Another one can be made as soon as they are there.</source>
+        <translation>Les parties sont encore en cours de création. Une autre pourra être créée dès qu’elles seront là.</translation>
+    </message>
 </context>
 <context>
     <name>PenTool</name>
@@ -8668,6 +8672,10 @@
     <message>
         <source>Progress</source>
         <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Filling the ground behind “%1” …</source>
+        <translation>Remplissage du fond derrière « %1 »…</translation>
     </message>
 </context>
 </TS>

@@ -2137,6 +2137,10 @@
         <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
         <translation>この範囲にはロックされたものしかありません。パーツのリストで解除できます。</translation>
     </message>
+    <message>
+        <source>The parts are still being made. Another one can be made as soon as they are there.</source>
+        <translation>パーツを作成中です。できあがると次のパーツを作成できます。</translation>
+    </message>
 </context>
 <context>
     <name>PenTool</name>
@@ -8650,6 +8654,10 @@
     <message>
         <source>Progress</source>
         <translation>進行状況</translation>
+    </message>
+    <message>
+        <source>Filling the ground behind “%1” …</source>
+        <translation>「%1」の背後を塗りつぶしています…</translation>
     </message>
 </context>
 </TS>

@@ -2137,6 +2137,10 @@
         <source>In this area is nothing but what is locked, if anything. The list of parts unlocks it.</source>
         <translation>此区域内最多只有已锁定的内容。可在部件列表中解锁。</translation>
     </message>
+    <message>
+        <source>The parts are still being made. Another one can be made as soon as they are there.</source>
+        <translation>部件仍在制作中。完成后即可制作另一个部件。</translation>
+    </message>
 </context>
 <context>
     <name>PenTool</name>
@@ -8650,6 +8654,10 @@
     <message>
         <source>Progress</source>
         <translation>进度</translation>
+    </message>
+    <message>
+        <source>Filling the ground behind “%1” …</source>
+        <translation>正在填充“%1”后面的背景…</translation>
     </message>
 </context>
 </TS>

@@ -31,6 +31,22 @@ struct NamedSheet {
     Sheet sheet;
 };
 
+/// Returns the name that a project has for a part of the shape, which may be of before a change of the name;
+/// empty if it has none.
+std::string nameNow(const std::string& name, const std::vector<PicturePart>& parts,
+                    const std::vector<MeshPart>& shown) {
+    const auto isNamed = [&](const std::string& one) {
+        return std::ranges::find(parts, one, &PicturePart::name) != parts.end();
+    };
+    if (isNamed(name)) return name;
+    const auto isShown = [&](const PicturePart& part) {
+        return std::ranges::find(shown, part.name, &MeshPart::name) != shown.end();
+    };
+    const auto isLost = [&](const MeshPart& part) { return !isNamed(part.name); };
+    const bool isRenamed = parts.size() == shown.size() && std::ranges::count_if(shown, isLost) == 1;
+    return isRenamed ? std::ranges::find_if_not(parts, isShown)->name : std::string();
+}
+
 /// The sheets that an area may be cut from, from front to back, without those that are locked or hidden; none
 /// while a picture of parts is being built.
 std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string& wholeName) {
@@ -39,10 +55,12 @@ std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string&
     const auto frame = session.frame<2>();
     if (!frame || !frame->built || !frame->built->texture) return {};
     const Texture& texture = *frame->built->texture;
+    const std::vector<PicturePart>& parts = document.domain().parts;
     std::vector<NamedSheet> sheets;
-    for (std::size_t i = texture.sheets.size(); i-- > 0;)
-        if (!isProtected(document.domain().parts, texture.drawn->parts[i].name))
-            sheets.push_back({texture.drawn->parts[i].name, texture.sheets[i]});
+    for (std::size_t i = texture.sheets.size(); i-- > 0;) {
+        const std::string name = nameNow(texture.drawn->parts[i].name, parts, texture.drawn->parts);
+        if (!name.empty() && !isProtected(parts, name)) sheets.push_back({name, texture.sheets[i]});
+    }
     return sheets;
 }
 
@@ -74,6 +92,11 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     const std::string whole =
         QFileInfo(QString::fromStdString(domainOf(before).path)).completeBaseName().toStdString();
     const std::vector<NamedSheet> sheets = sheetsOf(session, whole);
+    if (sheets.empty() && session.isMeshing())
+        return session.notify(
+            words(QT_TRANSLATE_NOOP("PartMaking",
+                                    "The parts are still being made. Another one can be made as soon as "
+                                    "they are there.")));
     const NamedSheet* below = sheetBelow(area, sheets);
     if (!below)
         return session.notify(

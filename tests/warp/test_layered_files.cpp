@@ -49,6 +49,8 @@ class TestLayeredFiles : public QObject {
     void pagesAreFlattened();
     void groupsAreLayers();
     void drawingsAreComposited();
+    void drawingsAreClippedByBoxes();
+    void clipsAreNotDrawn();
     void damagedDrawings();
     void layersOfOtherKinds();
     void lzf();
@@ -358,6 +360,63 @@ void TestLayeredFiles::drawingsAreComposited() {
     QVERIFY(isAt(44 + 6, 16 + 6, {0, 0, 0, 0}));
     QVERIFY(isAt(66, 20, {255, 255, 0, 255}) && isAt(76, 20, {255, 255, 0, 128}));
     QVERIFY(isAt(84, 20, {0, 0, 0, 0}));
+}
+
+/// Clip paths and masks that measure in the box around a group, a use or a text; what is used may have been
+/// drawn before.
+void TestLayeredFiles::drawingsAreClippedByBoxes() {
+    const std::string path = written("boxed.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     width="128" height="64" viewBox="0 0 128 64"><defs>
+<clipPath id="middle" clipPathUnits="objectBoundingBox"><rect x=".25" y=".25" width=".5" height=".5"/></clipPath>
+<clipPath id="moved" clipPathUnits="objectBoundingBox" transform="translate(4 0)"><rect width=".5" height="1"/></clipPath>
+<mask id="left" maskContentUnits="objectBoundingBox"><rect width=".5" height="1" fill="#fff"/></mask></defs>
+<g clip-path="url(#middle)" transform="translate(0 8)"><rect width="16" height="32" fill="#f00"/><rect x="16" width="16" height="32" fill="#00f" stroke="#000" stroke-width="9"/></g>
+<rect id="drawn" x="40" width="16" height="16" fill="#0f0"/>
+<use href="#drawn" y="32" clip-path="url(#moved)"/>
+<g mask="url(#left)"><rect x="80" y="8" width="16" height="16" fill="#f0f"/><circle cx="100" cy="40" r="12" fill="#f0f"/></g></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto alphaAt = [&](double x, double y) {
+        return sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), 3);
+    };
+    for (const double x : {8.5, 15.5, 16.5, 23.5}) QCOMPARE(alphaAt(x, 24), 255);
+    for (const double x : {7.5, 24.5, 34.0}) QCOMPARE(alphaAt(x, 24), 0);
+    QCOMPARE(alphaAt(16, 16.5), 255);
+    QCOMPARE(alphaAt(16, 15.5), 0);
+    QCOMPARE(alphaAt(16, 32.5), 0);
+    QCOMPARE(alphaAt(48, 8), 255);
+    QCOMPARE(alphaAt(44.5, 40), 255);
+    QCOMPARE(alphaAt(51.5, 40), 255);
+    QCOMPARE(alphaAt(43.5, 40), 0);
+    QCOMPARE(alphaAt(52.5, 40), 0);
+    QCOMPARE(alphaAt(88, 16), 255);  // the box reaches from 80 to 112
+    QCOMPARE(alphaAt(95.5, 40), 255);
+    QCOMPARE(alphaAt(96.5, 40), 0);
+}
+
+/// Clip paths and masks stand among what is drawn, and clip by what they use, as Illustrator writes them.
+void TestLayeredFiles::clipsAreNotDrawn() {
+    const std::string path = written("among.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32">
+<g><defs><rect id="shape" x="4" y="4" width="24" height="24"/></defs><clipPath id="clip"><use xlink:href="#shape"/></clipPath>
+<g clip-path="url(#clip)"><rect width="16" height="32" fill="#f00"/></g></g>
+<mask id="unused"><rect x="40" width="16" height="32" fill="#fff"/></mask></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto at = [&](double x, double y) {
+        const auto channel = [&](int c) {
+            return sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), c);
+        };
+        return std::array{channel(0), channel(1), channel(2), channel(3)};
+    };
+    QVERIFY((at(10, 10) == std::array{255, 0, 0, 255}));
+    for (const double x : {2.0, 20.0, 30.0, 48.0}) QCOMPARE(at(x, 10)[3], 0);
+    const std::string alone =
+        written("alone.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="128" height="32"
+     viewBox="0 0 128 32"><clipPath id="c"><rect width="9" height="9"/></clipPath><rect x="64" width="9" height="9"/></svg>)svg");
+    const Image plain = readImage(alone);
+    QCOMPARE(sample(plain, 4 * scale, 4 * scale, 3), 0);
+    QCOMPARE(sample(plain, 68 * scale, 4 * scale, 3), 255);
 }
 
 void TestLayeredFiles::damagedDrawings() {

@@ -127,6 +127,7 @@ class TestWarpedDrawing : public QObject {
     void styleSheetsAndUses();
     void pensAndPaintsGoAlong();
     void clipsAndLayers();
+    void clipsInBoxUnits();
     void picturesAreEmbedded();
     void damagedDrawings_data();
     void damagedDrawings();
@@ -468,6 +469,31 @@ void TestWarpedDrawing::clipsAndLayers() {
     const std::string large = carried(vectors("<rect x='-5' width='110' height='50'/>"), shift);
     QVERIFY(!attribute(large, "/svg/g", "clip-path").empty());
     QVERIFY(attribute(svg, "/svg/g", "clip-path").empty());
+}
+
+/// Boxes are around what is drawn of an element, in its own coordinates, whatever clips it.
+void TestWarpedDrawing::clipsInBoxUnits() {
+    const VectorDrawing drawing = vectors(R"svg(
+      <clipPath id="c" clipPathUnits="objectBoundingBox"><rect x="0.25" width="0.5" height="1"/></clipPath>
+      <clipPath id="t" clipPathUnits="objectBoundingBox" transform="translate(1 2)"><rect width="1" height="1"/></clipPath>
+      <mask id="m" maskContentUnits="objectBoundingBox"><rect width="0.5" height="0.5" fill="white"/></mask>
+      <defs><rect id="far" x="40" y="40" width="8" height="4"/></defs>
+      <g id="group" clip-path="url(#c)" transform="translate(10 10)"><g clip-path="url(#c)"><rect width="4" height="8"/></g>
+        <circle transform="translate(16 0)" r="4" stroke="red" stroke-width="9"/><rect x="90" width="9" height="9" display="none"/></g>
+      <use id="used" clip-path="url(#t)" x="2" href="#far"/>
+      <g id="masked" mask="url(#m)"><rect x="20" y="30" width="6" height="8"/></g>)svg");
+    const std::string svg = carried(drawing, [](const Vec<2>& p) { return p; });
+    const auto clipped = [&](const std::string& element, const char* property) {
+        const std::string url = attribute(svg, element.c_str(), property);
+        return attribute(
+            svg, ("//*[@id='" + url.substr(5, std::max<std::size_t>(url.size(), 6) - 6) + "']/path").c_str(),
+            "d");
+    };
+    QCOMPARE(clipped("//g[@id='group']", "clip-path"), "M15,6L25,6L25,18L15,18Z");
+    QCOMPARE(clipped("//g[@id='group']/g", "clip-path"), "M11,10L13,10L13,18L11,18Z");
+    QCOMPARE(clipped("//g[@id='used']", "clip-path"), "M43,42L51,42L51,46L43,46Z");
+    QCOMPARE(clipped("//g[@id='masked']", "mask"), "M20,30L23,30L23,34L20,34Z");
+    QVERIFY(drawing.notices.empty());
 }
 
 void TestWarpedDrawing::picturesAreEmbedded() {

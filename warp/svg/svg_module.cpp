@@ -127,7 +127,7 @@ class SvgDrawing {
 
     /// Returns all of it.
     DrawnSvg drawn() const {
-        DrawnSvg result{layers(), pngOf(paintedSvg(m_document, m_size))};
+        DrawnSvg result{layers(), pngOf(paintedSvg(m_document, m_viewBox, m_size))};
         for (std::size_t k = 0; k < m_layers.size(); ++k) {
             const QRect seen = seenOf(pictureOf(k));
             PictureLayer& layer = result.layers[k];
@@ -181,7 +181,7 @@ class SvgDrawing {
     QImage pictureOf(std::size_t layer) const {
         pugi::xml_document alone;
         keepAlone(layer, alone);
-        return paintedSvg(alone, m_size);
+        return paintedSvg(alone, m_viewBox, m_size);
     }
     void keepAlone(std::size_t layer, pugi::xml_document& alone) const {
         alone.reset(m_document);

@@ -6,9 +6,13 @@
 #include <array>
 #include <cstdlib>
 #include <new>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "core/base/number_text.h"
+#include "warp/svg/svg_paints.h"
 #include "warp/svg/svg_style.h"
 #include "warp/svg/vector_maker.h"
 
@@ -18,6 +22,7 @@ namespace {
 constexpr int kMostLayers = 200;  // composited of one drawing: each is drawn in full size
 constexpr int kDeepest = 12;      // layers within layers
 constexpr const char* kMark = "data-wend-layer";
+constexpr const char* kRetired = "data-wend-retired";
 
 /// Removes a property, wherever the element says it.
 void removeProperty(pugi::xml_node node, const char* name) {
@@ -37,25 +42,21 @@ pugi::xml_node markedIn(const pugi::xml_node& document) {
     return document.find_node([](const pugi::xml_node& node) { return bool(node.attribute(kMark)); });
 }
 
-/// Returns the element that a property of another one refers to; none if it is of another kind, or in units
-/// of a box.
-pugi::xml_node referred(const pugi::xml_node& from, const std::string& value, const char* kind,
-                        const char* units) {
+/// Returns the element that a property of another one refers to; none if it is of another kind.
+pugi::xml_node referred(const pugi::xml_node& from, const std::string& value, const char* kind) {
     const std::string id = idInUrl(value);
     if (id.empty()) return {};
-    const pugi::xml_node found = from.root().find_node([&](const pugi::xml_node& node) {
+    return from.root().find_node([&](const pugi::xml_node& node) {
         return std::string_view(node.name()) == kind && id == node.attribute("id").value();
     });
-    const bool isOfBox = std::string_view(found.attribute(units).value()) == "objectBoundingBox";
-    return isOfBox ? pugi::xml_node() : found;
 }
 
 pugi::xml_node clipOf(const pugi::xml_node& node) {
-    return referred(node, valueOf(styleOf(node, {}), "clip-path"), "clipPath", "clipPathUnits");
+    return referred(node, valueOf(styleOf(node, {}), "clip-path"), "clipPath");
 }
 
 pugi::xml_node maskOf(const pugi::xml_node& node) {
-    return referred(node, valueOf(styleOf(node, {}), "mask"), "mask", "maskContentUnits");
+    return referred(node, valueOf(styleOf(node, {}), "mask"), "mask");
 }
 
 double opacityOf(const pugi::xml_node& node) {
@@ -88,26 +89,92 @@ pugi::xml_node firstLayer(const pugi::xml_node& parent) {
     return {};
 }
 
+using Ids = std::set<std::string, std::less<>>;
+
+/// Returns the ids that uses refer to.
+Ids usedIn(const pugi::xml_document& document) {
+    Ids used;
+    document.find_node([&](const pugi::xml_node& node) {
+        if (std::string_view(node.name()) == "use") used.insert(SvgElements::hrefOf(node));
+        return false;
+    });
+    return used;
+}
+
+/// Moves an element to definitions, where it is not drawn, but may be used.
+void moveToDefinitions(pugi::xml_node node) {
+    node.remove_attribute(kMark);
+    pugi::xml_node root = node;
+    while (root.parent() != node.root()) root = root.parent();
+    pugi::xml_node place = root.first_child();
+    if (!place.attribute(kRetired)) {
+        place = root.prepend_child("defs");
+        place.append_attribute(kRetired) = "";
+    }
+    place.append_move(node);
+}
+
+/// Removes an element from what is drawn, but for those in it that something else may refer to.
+void retire(pugi::xml_node node, const Ids& used) {
+    if (!isDrawn(node) || used.contains(node.attribute("id").value())) return moveToDefinitions(node);
+    for (pugi::xml_node child = node.first_child(), next; child; child = next) {
+        next = child.next_sibling();
+        if (child.type() == pugi::node_element) retire(child, used);
+    }
+    node.parent().remove_child(node);
+}
+
+/// Moves clip paths and masks among the drawn elements to definitions: Qt's library would draw them.
+void retireClips(const pugi::xml_node& parent) {
+    for (pugi::xml_node node = parent.first_child(), next; node; node = next) {
+        next = node.next_sibling();
+        const std::string_view name = node.name();
+        if (name == "clipPath" || name == "mask")
+            moveToDefinitions(node);
+        else if (name != "defs")
+            retireClips(node);
+    }
+}
+
+/// Returns whether a shape, text or picture is drawn within a node.
+bool drawsAny(const pugi::xml_node& parent) {
+    return std::ranges::any_of(parent.children(), [](const pugi::xml_node& node) {
+        const std::string_view name = node.name();
+        const bool holds = name == "g" || name == "a" || name == "svg" || name == "switch";
+        return isDrawn(node) && (!holds || drawsAny(node));
+    });
+}
+
 enum class Side { Before, After };
 
 /// Removes what is drawn on a side of an element, all the way up; definitions stay.
-void removeSide(pugi::xml_node node, Side side) {
+void removeSide(pugi::xml_node node, Side side, const Ids& used) {
     const auto next = [side](const pugi::xml_node& one) {
         return side == Side::Before ? one.previous_sibling() : one.next_sibling();
     };
     for (; node.parent(); node = node.parent())
         for (pugi::xml_node other = next(node), then; other; other = then) {
             then = next(other);
-            if (isDrawn(other)) node.parent().remove_child(other);
+            if (isDrawn(other)) retire(other, used);
         }
 }
 
-/// Puts the content of a clip path or a mask in the place of the marked element.
-void replaceByContent(const pugi::xml_node& node, const pugi::xml_node& content, bool clips) {
+/// Returns the transform list that takes the unit square to a box.
+std::string fromUnitSquare(const QRectF& box) {
+    std::string text = "matrix(" + numberText(box.width()) + " 0 0 " + numberText(box.height());
+    return text + ' ' + numberText(box.x()) + ' ' + numberText(box.y()) + ')';
+}
+
+/// Puts the content of a clip path or a mask in the place of the marked element. `viewBox` is the drawing's.
+void replaceByContent(const pugi::xml_document& drawing, const pugi::xml_node& node,
+                      const pugi::xml_node& content, bool clips, const QRectF& viewBox, const Ids& used) {
     pugi::xml_node place = node.parent().insert_child_before("g", node);
     place.append_attribute("transform") = node.attribute("transform").value();
     pugi::xml_node inner = place.append_child("g");
-    inner.append_attribute("transform") = clips ? content.attribute("transform").value() : "";
+    std::string transform = clips ? content.attribute("transform").value() : "";
+    if (isOfBox(content, clips ? "clipPathUnits" : "maskContentUnits"))
+        transform += ' ' + fromUnitSquare(boxOf(drawing, node, viewBox));
+    inner.append_attribute("transform") = transform.c_str();
     inner.append_attribute("style") = "fill:#000;stroke:none;fill-opacity:1;fill-rule:nonzero";
     for (const pugi::xml_node& child : content.children()) {
         pugi::xml_node copy = inner.append_copy(child);
@@ -117,15 +184,16 @@ void replaceByContent(const pugi::xml_node& node, const pugi::xml_node& content,
             removeProperty(copy, paint);
         if (!rule.empty()) copy.append_attribute("fill-rule") = rule.c_str();
     }
-    removeSide(node, Side::After);
-    removeSide(place, Side::Before);
-    node.parent().remove_child(node);
+    removeSide(node, Side::After, used);
+    removeSide(place, Side::Before, used);
+    retire(node, used);
 }
 
 /// Draws documents, which it changes.
 class SvgPainter {
   public:
-    explicit SvgPainter(const QSize& size) : m_size(size) {}
+    SvgPainter(const QRectF& viewBox, const QSize& size, Ids used)
+        : m_viewBox(viewBox), m_size(size), m_used(std::move(used)) {}
 
     QImage painted(pugi::xml_document& document, int depth = 0) {
         QImage image(m_size, QImage::Format_RGBA8888_Premultiplied);
@@ -141,12 +209,12 @@ class SvgPainter {
             pugi::xml_document before;
             before.reset(document);
             const pugi::xml_node marked = markedIn(before);
-            removeSide(marked, Side::After);
-            marked.parent().remove_child(marked);
+            removeSide(marked, Side::After, m_used);
+            retire(marked, m_used);
             plain(before, painter);
             painter.drawImage(0, 0, layerOf(document, depth));
-            removeSide(layer, Side::Before);
-            layer.parent().remove_child(layer);
+            removeSide(layer, Side::Before, m_used);
+            retire(layer, m_used);
         }
         plain(document, painter);
         return image;
@@ -154,6 +222,7 @@ class SvgPainter {
 
   private:
     void plain(const pugi::xml_document& document, QPainter& painter) const {
+        if (!drawsAny(document.document_element())) return;
         const std::string text = textOf(document);
         QSvgRenderer renderer(QByteArray(text.data(), static_cast<qsizetype>(text.size())));
         renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
@@ -168,7 +237,7 @@ class SvgPainter {
         const bool isClipped(clipOf(node)), isMasked(maskOf(node));
         node.remove_attribute(kMark);
         for (const char* name : {"opacity", "clip-path", "mask"}) removeProperty(node, name);
-        for (const Side side : {Side::Before, Side::After}) removeSide(node, side);
+        for (const Side side : {Side::Before, Side::After}) removeSide(node, side, m_used);
         QImage image = painted(own, depth + 1);
         QImage clip = isClipped ? contentOf(document, true, depth) : QImage(),
                mask = isMasked ? contentOf(document, false, depth) : QImage();
@@ -198,23 +267,26 @@ class SvgPainter {
         pugi::xml_document own;
         own.reset(document);
         const pugi::xml_node node = markedIn(own);
-        replaceByContent(node, clips ? clipOf(node) : maskOf(node), clips);
+        replaceByContent(own, node, clips ? clipOf(node) : maskOf(node), clips, m_viewBox, m_used);
         return painted(own, depth + 1);
     }
 
+    QRectF m_viewBox;
     QSize m_size;
+    Ids m_used;
     int m_layers = 0;
 };
 
 }  // namespace
 
-QImage paintedSvg(const pugi::xml_document& drawing, const QSize& size) {
+QImage paintedSvg(const pugi::xml_document& drawing, const QRectF& viewBox, const QSize& size) {
     pugi::xml_document document;
     document.reset(drawing);
     resolveStyleSheets(document);
     const bool isPlain = !firstLayer(document.document_element());
     if (isPlain) document.reset(drawing);  // Qt's library reads style sheets itself
-    return SvgPainter(size).painted(document);
+    retireClips(document.document_element());
+    return SvgPainter(viewBox, size, usedIn(document)).painted(document);
 }
 
 }  // namespace wend

@@ -249,6 +249,10 @@ std::string valueOf(const SvgStyle& style, std::string_view property, const char
     return found == style.end() ? otherwise : found->second;
 }
 
+bool isOfBox(const pugi::xml_node& node, const char* units) {
+    return std::string_view(node.attribute(units).value()) == "objectBoundingBox";
+}
+
 std::string idInUrl(std::string_view value) {
     const auto open = value.find("url("), close = value.find(')');
     if (open != 0 || close == std::string_view::npos) return {};

@@ -27,6 +27,10 @@ std::string trimmed(std::string_view text);
 /// Returns the property, or `otherwise`.
 std::string valueOf(const SvgStyle& style, std::string_view property, const char* otherwise = "");
 
+/// Returns whether an element measures in parts of the box around what refers to it: what its attribute
+/// `units` says.
+bool isOfBox(const pugi::xml_node& node, const char* units);
+
 /// Returns the id that url(#id) names; empty for anything else.
 std::string idInUrl(std::string_view value);
 

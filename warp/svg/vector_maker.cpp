@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
@@ -58,6 +60,10 @@ bool isNone(const std::string& value) {
     return value.empty() || value == "none";
 }
 
+Affine fromUnitSquare(const QRectF& box) {
+    return {Mat<2>(Vec<2>(box.width(), box.height()).asDiagonal()), {box.x(), box.y()}};
+}
+
 QTransform painterTransform(const Affine& map) {
     return {map.A(0, 0), map.A(1, 0), map.A(0, 1), map.A(1, 1), map.b.x(), map.b.y()};
 }
@@ -74,10 +80,22 @@ class VectorMaker {
         m_paints.emplace(m_elements, m_defs, [this](const Message& text) { tell(text); });
     }
 
+    /// Returns the box around an element in its own coordinates, without pens, clip paths and masks.
+    QRectF boxOf(const pugi::xml_node& node, const SvgStyle& style, const Vec<2>& viewport) {
+        Around outer{{}, style, viewport};
+        if (!readTransform(node.attribute("transform").value(), outer.map)) outer.map = {};
+        outer.map = outer.map.inverse();
+        QRectF box;
+        QRectF* const before = std::exchange(m_measured, &box);
+        element(node, {}, outer);
+        m_measured = before;
+        return box;
+    }
+
     VectorDrawing make(const pugi::xml_node& svg) {
         Around around{{}, {}, {m_viewBox.width(), m_viewBox.height()}};
         around.style = styleOf(svg, {});
-        children(svg, begin(svg, around.style, {}, m_root, nullptr), around);
+        children(svg, begin(svg, around, m_root, nullptr), around);
         VectorDrawing drawing;
         drawing.svg = textOf(m_document);
         drawing.viewBox = {m_viewBox.x(), m_viewBox.y(), m_viewBox.width(), m_viewBox.height()};
@@ -114,12 +132,12 @@ class VectorMaker {
             tell("the transform \"" + std::string(node.attribute("transform").value()).substr(0, 60) +
                  "\" cannot be read");
         if (!(std::abs(own.map.A.determinant()) > kNegligible) || !own.map.b.allFinite()) return;
+        if (m_measured && valueOf(own.style, "display") == "none") return;
         const std::string name = node.name();
-        if (name == "g" || name == "a")
-            return children(node, begin(node, own.style, own.map, out, nullptr), own);
+        if (name == "g" || name == "a") return children(node, begin(node, own, out, nullptr), own);
         if (name == "svg") return nested(node, out, own);
         if (name == "use") return use(node, out, own);
-        if (name == "switch") return chosen(node, begin(node, own.style, own.map, out, nullptr), own);
+        if (name == "switch") return chosen(node, begin(node, own, out, nullptr), own);
         if (name == "text") return text(node, out, own);
         if (name == "image") return image(node, out, own);
         if (const auto path = pathOfShape(node, own)) return shape(node, *path, out, own);
@@ -168,19 +186,19 @@ class VectorMaker {
         around.viewport = {lengthOf(node.attribute("width").value(), whole.x(), whole.x()),
                            lengthOf(node.attribute("height").value(), whole.y(), whole.y())};
         around.map = around.map * placed(node, from, around.viewport);
-        children(node, begin(node, around.style, around.map, out, nullptr), around);
+        children(node, begin(node, around, out, nullptr), around);
     }
 
     void use(const pugi::xml_node& node, pugi::xml_node out, Around around) {
         const std::string id = SvgElements::hrefOf(node);
         const pugi::xml_node target = m_elements.byId(id);
         if (!target) return tell("a <use> refers to \"" + id.substr(0, 60) + "\", which is missing");
+        pugi::xml_node group = begin(node, around, out, nullptr);  // which may measure what is used
         if (!m_used.insert(id).second)
             throw InputError("uses its \"" + id.substr(0, 60) + "\" within itself");
         const Vec<2> whole = around.viewport;
         const Vec<2> shift(lengthOf(node.attribute("x").value(), whole.x(), 0),
                            lengthOf(node.attribute("y").value(), whole.y(), 0));
-        pugi::xml_node group = begin(node, around.style, around.map, out, nullptr);
         around.map = around.map * Affine{Mat<2>::Identity(), shift};
         const std::string_view name = target.name();
         if (name == "symbol" || name == "svg") {
@@ -218,15 +236,19 @@ class VectorMaker {
     }
 
     /// Begins a group with what applies to an element as a whole, and returns where its content belongs.
-    /// `box` is around it in its own coordinates, if that is known.
-    pugi::xml_node begin(const pugi::xml_node& node, const SvgStyle& style, const Affine& map,
-                         pugi::xml_node out, const QRectF* box) {
+    /// `box` is around it in its own coordinates, or null.
+    pugi::xml_node begin(const pugi::xml_node& node, const Around& around, pugi::xml_node out,
+                         const QRectF* box) {
+        if (m_measured) return out;
+        const SvgStyle& style = around.style;
+        const Affine& map = around.map;
+        const auto boxed = [&] { return box ? *box : boxOf(node, style, around.viewport); };
         pugi::xml_node group = out.append_child("g");
         giveName(node, group);
         copyOwn(style, group);
-        if (const std::string id = clip(valueOf(style, "clip-path"), map, box); !id.empty())
+        if (const std::string id = clip(valueOf(style, "clip-path"), map, boxed); !id.empty())
             group.append_attribute("clip-path") = ("url(#" + id + ")").c_str();
-        if (const std::string id = mask(valueOf(style, "mask"), map); !id.empty())
+        if (const std::string id = mask(valueOf(style, "mask"), map, boxed); !id.empty())
             group.append_attribute("mask") = ("url(#" + id + ")").c_str();
         const std::string filter = valueOf(style, "filter");
         if (isNone(filter) || !m_paints->keep(idInUrl(filter))) return group;
@@ -250,23 +272,21 @@ class VectorMaker {
         return own;
     }
 
-    std::string clip(const std::string& value, Affine map, const QRectF* box) {
+    using BoxOf = std::function<QRectF()>;
+
+    std::string clip(const std::string& value, const Affine& map, const BoxOf& box) {
         if (isNone(value)) return {};
         const std::string id = idInUrl(value);
         const pugi::xml_node source = m_elements.byId(id);
         if (std::string_view(source.name()) != "clipPath")
             return tell("its clip path " + value.substr(0, 60) + " is missing"), std::string();
-        if (std::string_view(source.attribute("clipPathUnits").value()) == "objectBoundingBox") {
-            if (!box) return tell("the clip path \"" + id + "\" of a group's box is left out"), std::string();
-            map =
-                map * Affine{Mat<2>(Vec<2>(box->width(), box->height()).asDiagonal()), {box->x(), box->y()}};
-        }
-        pugi::xml_node begun;
-        const std::string own = definition("clipPath", id, map, begun);
-        if (!begun) return own;
-        if (!m_used.insert("clip " + id).second) throw InputError("clips its \"" + id + "\" by itself");
         Around around{map, styleOf(source, {}), {m_viewBox.width(), m_viewBox.height()}};
         readTransform(source.attribute("transform").value(), around.map);
+        if (isOfBox(source, "clipPathUnits")) around.map = around.map * fromUnitSquare(box());
+        pugi::xml_node begun;
+        const std::string own = definition("clipPath", id, around.map, begun);
+        if (!begun) return own;
+        if (!m_used.insert("clip " + id).second) throw InputError("clips its \"" + id + "\" by itself");
         pugi::xml_document inside;
         children(source, inside.append_child("g"), around);
         flatten(inside.first_child(), begun);
@@ -289,13 +309,13 @@ class VectorMaker {
             }
     }
 
-    std::string mask(const std::string& value, const Affine& map) {
+    std::string mask(const std::string& value, Affine map, const BoxOf& box) {
         if (isNone(value)) return {};
         const std::string id = idInUrl(value);
         const pugi::xml_node source = m_elements.byId(id);
-        if (std::string_view(source.name()) != "mask" ||
-            std::string_view(source.attribute("maskContentUnits").value()) == "objectBoundingBox")
+        if (std::string_view(source.name()) != "mask")
             return tell("its mask " + value.substr(0, 60) + " is left out"), std::string();
+        if (isOfBox(source, "maskContentUnits")) map = map * fromUnitSquare(box());
         pugi::xml_node begun;
         const std::string own = definition("mask", id, map, begun);
         if (!begun) return own;
@@ -315,6 +335,9 @@ class VectorMaker {
     }
 
     // --- Shapes ---
+
+    /// Takes a path, at its place, into the box that is wanted.
+    void measure(const SvgPath& placed) { *m_measured |= painterPath(placed).boundingRect(); }
 
     static std::optional<SvgPath> pathOfShape(const pugi::xml_node& node, const Around& around) {
         const Vec<2>& whole = around.viewport;
@@ -350,12 +373,13 @@ class VectorMaker {
         const SvgPath placed = transformed(path, around.map);
         if (!isFinite(placed))
             return tell("a <" + std::string(node.name()) + "> reaches too far: it is left out");
+        if (m_measured) return measure(placed);
         const QRectF box = painterPath(path).boundingRect();
         const SvgStyle& style = around.style;
         const bool isWrapped =
             std::ranges::any_of(std::array{"clip-path", "mask", "filter"},
                                 [&](const char* name) { return !isNone(valueOf(style, name)); });
-        if (isWrapped) out = begin(node, style, around.map, out, &box);
+        if (isWrapped) out = begin(node, around, out, &box);
         pugi::xml_node own = out.append_child("path");
         if (!isWrapped) giveName(node, own), copyOwn(style, own);
         own.append_attribute("d") = pathText(placed, decimals()).c_str();
@@ -453,7 +477,11 @@ class VectorMaker {
         if (fill == "currentColor") style["fill"] = valueOf(style, "color", "black");
         const std::vector<TextOutlines> outlines = textOutlines(alone(node, around, style), m_viewBox);
         if (outlines.empty()) return;
-        pugi::xml_node group = begin(node, around.style, around.map, out, nullptr);
+        if (m_measured) {
+            for (const TextOutlines& one : outlines) measure(one.path);
+            return;
+        }
+        pugi::xml_node group = begin(node, around, out, nullptr);
         QRectF box;
         for (const TextOutlines& one : outlines)
             box |= painterPath(transformed(one.path, around.map.inverse())).boundingRect();
@@ -485,6 +513,9 @@ class VectorMaker {
                           lengthOf(node.attribute("y").value(), around.viewport.y(), 0),
                           lengthOf(node.attribute("width").value(), around.viewport.x(), 1e6),
                           lengthOf(node.attribute("height").value(), around.viewport.y(), 1e6));
+        if (m_measured)
+            return measure(transformed(
+                rectanglePath({area.x(), area.y()}, {area.width(), area.height()}, 0, 0), around.map));
         const double sx = m_size.width() / m_viewBox.width(), sy = m_size.height() / m_viewBox.height();
         QRectF box = painterTransform(around.map).mapRect(area);
         box = QRectF((box.x() - m_viewBox.x()) * sx, (box.y() - m_viewBox.y()) * sy, box.width() * sx,
@@ -502,7 +533,7 @@ class VectorMaker {
         painter.translate(-pixels.topLeft());
         renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
         painter.end();
-        pugi::xml_node own = begin(node, around.style, around.map, out, &area).append_child("image");
+        pugi::xml_node own = begin(node, around, out, &area).append_child("image");
         own.append_attribute("data-picture") = static_cast<unsigned>(m_pictures.size());
         drawn = drawn.convertToFormat(QImage::Format_RGBA8888);
         DrawnPicture& picture = m_pictures.emplace_back();
@@ -523,6 +554,7 @@ class VectorMaker {
     std::set<std::string> m_used, m_names;
     std::vector<DrawnPicture> m_pictures;
     std::vector<Message> m_notices;
+    QRectF* m_measured = nullptr;  // the box that is wanted, while nothing is made
     int m_count = 0;
 };
 
@@ -533,6 +565,15 @@ VectorDrawing vectorsOf(const pugi::xml_document& drawing, const QRectF& viewBox
     resolved.reset(drawing);
     resolveStyleSheets(resolved);
     return VectorMaker(resolved, viewBox, size).make(resolved.document_element());
+}
+
+QRectF boxOf(const pugi::xml_document& drawing, const pugi::xml_node& element, const QRectF& viewBox) {
+    std::vector<pugi::xml_node> around;
+    for (pugi::xml_node node = element.parent(); node; node = node.parent()) around.push_back(node);
+    SvgStyle style;
+    for (auto node = around.rbegin(); node != around.rend(); ++node) style = styleOf(*node, style);
+    return VectorMaker(drawing, viewBox, viewBox.size().toSize())
+        .boxOf(element, style, {viewBox.width(), viewBox.height()});
 }
 
 bool isDrawn(const pugi::xml_node& node) {

@@ -12,6 +12,10 @@ namespace wend {
 /// to itself and for what is too deep or too much.
 VectorDrawing vectorsOf(const pugi::xml_document& drawing, const QRectF& viewBox, const QSize& size);
 
+/// Returns the box around an element of a drawing without style sheets, in its own coordinates, without pens,
+/// clip paths and masks; a null one if it shows nothing.
+QRectF boxOf(const pugi::xml_document& drawing, const pugi::xml_node& element, const QRectF& viewBox);
+
 /// Returns whether an element is one of those that are drawn.
 bool isDrawn(const pugi::xml_node& node);
 

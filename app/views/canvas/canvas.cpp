@@ -18,7 +18,7 @@ constexpr double kFitMargin = 36;
 // fraction of the shape's size within which a visible point is the place itself
 constexpr double kSamePlace = 1e-3;
 constexpr int kRefineAfter = 140;  // milliseconds
-constexpr int kRefineInDrag = 400;
+constexpr int kRefineInDrag = 250;
 constexpr int kMarksEvery = 20;       // without a frame
 constexpr double kSeenBeyond = 0.01;  // of the picture
 

@@ -257,9 +257,15 @@ void RenderThread::loop(std::stop_token stop) {
 
 void RenderThread::chooseCells(RenderRequest& request) {
     const bool moves = request.filter == Filter::Bilinear && request.frame && request.frame->live;
-    if (!moves || !request.picture || (request.texture && request.texture->drawn)) return;
-    const double pixel = 1 / (request.view.zoom() * request.scale());
-    request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, kDrawnOff * pixel);
+    if (!moves || !request.picture) return;
+    const double tolerance = kDrawnOff / (request.view.zoom() * request.scale());
+    const Texture* parts = request.texture && request.texture->drawn ? request.texture.get() : nullptr;
+    if (!parts) {
+        request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, tolerance);
+    } else if (parts->blends().empty()) {  // which are of the parts' own cells
+        const Points<2> pose = parts->withRiders(request.frame->pose);
+        request.cells = m_moving.of(parts->rest, request.plan, pose, tolerance);
+    }
 }
 
 QImage RenderThread::render(const RenderRequest& request, std::stop_token stop) {

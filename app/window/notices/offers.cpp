@@ -48,7 +48,7 @@ Offers::Offer Offers::border() {
         if (m_document.isEmpty() || !m_document.picture()) return false;
         const Domain& domain = m_document.domain();
         return domain.kind == DomainKind::Image && domain.outline == OutlineKind::Frame &&
-               domain.border == Border::Free && hasOpaqueEdges(*m_document.picture());
+               domain.parts.empty() && domain.border == Border::Free && hasOpaqueEdges(*m_document.picture());
     };
     const auto hold = [this] {
         changeSetting(m_document, "domain.border", static_cast<double>(Border::Fixed));

@@ -1,6 +1,4 @@
 #include "app/window/notices/work_note.h"
-#include "app/engine/shape/same_mesh.h"
-#include "app/project/domain.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -10,6 +8,11 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/engine/shape/same_mesh.h"
+#include "app/project/domain.h"
+#include "warp/inpaint.h"
 
 namespace wend {
 
@@ -79,6 +82,22 @@ bool WorkNote::makesMesh() const {
     return m_session.isMeshing() && !(m_meshed.project && sameMesh(m_meshed, inputs()));
 }
 
+/// Returns the first part behind which the ground is to be filled; null if that has been done for all, which
+/// takes much longer than their meshes.
+const PicturePart* WorkNote::filledPart() const {
+    static const std::vector<PicturePart> none;
+    const auto& before = m_meshed.project ? domainOf(*m_meshed.project).parts : none;
+    const auto isFilled = [&](const PicturePart& part) {
+        return std::ranges::any_of(before, [&](const PicturePart& one) {
+            return one.fill && one.cut == part.cut && one.feather == part.feather;
+        });
+    };
+    if (!canInpaint()) return nullptr;
+    for (const PicturePart& part : m_session.document().domain().parts)
+        if (part.fill && !isFilled(part)) return &part;
+    return nullptr;
+}
+
 /// Takes what the session says after it was told of a change, which the note may hear of earlier.
 void WorkNote::takeState() {
     if (m_session.document().isEmpty())
@@ -112,6 +131,8 @@ QString WorkNote::words(double part) const {
     if (!makesMesh())
         return tr("Computing the motion: %1 %").arg(QLocale().toString(static_cast<int>(100 * part)));
     const Domain& domain = document.domain();
+    if (const PicturePart* filled = filledPart())
+        return tr("Filling the ground behind “%1” …").arg(QString::fromStdString(filled->name));
     if (domain.kind == DomainKind::Mesh || domain.maxVolume > 0 || domain.edge > 0)
         return tr("Meshing %1 …").arg(document.displayName());
     return tr("Meshing %1 with about %Ln vertices …", nullptr, domain.vertices).arg(document.displayName());

@@ -31,6 +31,7 @@ class WorkNote : public QFrame {
     void place();
     ShapeInputs inputs() const;
     bool makesMesh() const;
+    const PicturePart* filledPart() const;
     QString words(double part) const;
     bool isCancelKey(QObject* watched, QEvent* event) const;
 

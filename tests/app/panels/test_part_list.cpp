@@ -27,8 +27,10 @@
 #include "app/session/stray_parts.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
+#include "app/window/notices/work_note.h"
 #include "tests/support/pictures.h"
 #include "tests/support/solid_fixture.h"
+#include "warp/inpaint.h"
 #include "warp/open_raster.h"
 
 using namespace wend;
@@ -54,6 +56,8 @@ class TestPartList : public QObject {
     void gradientsAndFillsBelongToParts();
     void detailBelongsToParts();
     void dragsWaitForParts();
+    void renamedPartIsCut();
+    void noteNamesTheFilling();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
@@ -584,6 +588,73 @@ void TestPartList::dragsWaitForParts() {
     session.beginDrag();
     QVERIFY(session.isDragging());
     session.cancelDrag();
+}
+
+/// A part that is made before the shape knows the new name of another one is cut from that; one that is made
+/// before there are parts to cut from waits, in plain words.
+void TestPartList::renamedPartIsCut() {
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    const Outline onBoard{{{{15, 56}, {45, 56}, {45, 76}, {15, 76}}}};
+    list().item(2)->setText("plank");
+    QTRY_COMPARE(names(), (QStringList{"dot", "bar", "plank"}));
+    QVERIFY(session.isMeshing());
+    makePart(session, onBoard);
+    QCOMPARE(parts().size(), std::size_t{4});
+    QCOMPARE(parts()[2].cutFrom, std::string("plank"));
+    QVERIFY(settle(session));
+    QCOMPARE(session.frame<2>()->rest->parts.size(), std::size_t{3});  // the dot has no mesh
+    undo().undo();
+    undo().undo();
+    QVERIFY(settle(session));
+    Domain domain = session.document().domain();  // as after a drag of the list and a new name, at once
+    std::swap(domain.parts[1], domain.parts[2]);
+    domain.parts[1].name = "plank";
+    session.document().changeDomain("both", domain);
+    makePart(session, onBoard);
+    QCOMPARE(parts()[1].cutFrom, std::string("plank"));
+    QVERIFY(settle(session));
+    undo().setClean();
+    const QString path = m_folder.filePath("leaf.png");
+    writeImage(path.toStdString(), plainPicture(180, 120, {90, 120, 60}));
+    QVERIFY(m_f->openFile(path));
+    QVERIFY(settle(session));
+    makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
+    QVERIFY(session.isMeshing());
+    QSignalSpy notices(&session, &ShapeSession::notice);
+    makePart(session, {{{{20, 30}, {50, 30}, {50, 80}, {20, 80}}}});
+    QCOMPARE(parts().size(), std::size_t{2});
+    QCOMPARE(notices.count(), 1);
+    QVERIFY(notices[0][0].toString().contains("still being made"));
+    QVERIFY(settle(session));
+}
+
+/// What takes long after a part was made is filling, which is what the note says; a new name fills nothing.
+void TestPartList::noteNamesTheFilling() {
+    QVERIFY(canInpaint());
+    const QString path = m_folder.filePath("meadow.png");
+    Image meadow = plainPicture(900, 700, {90, 120, 60});
+    for (int y = 0; y < meadow.height; ++y)
+        for (int x = 0; x < meadow.width; ++x)
+            meadow.row(y)[3 * x] = static_cast<std::byte>((x * x / 7 + 13 * y) % 200);
+    writeImage(path.toStdString(), meadow);
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    QVERIFY(settle(session));
+    auto* note = m_f->window().findChild<WorkNote*>();
+    auto* banner = m_f->window().findChild<InfoBanner*>();
+    QVERIFY(banner->text().contains("fills its frame"));
+    makePart(session, {{{{200, 150}, {700, 150}, {700, 550}, {200, 550}}}});
+    QVERIFY(!banner->text().contains("fills its frame"));  // the ground is held
+    QTRY_VERIFY_WITH_TIMEOUT(!note->text().isEmpty(), 20000);
+    QCOMPARE(note->text(), QString("Filling the ground behind “Part 1” …"));
+    QVERIFY(settle(session));
+    note->show();
+    list().item(0)->setText("flower");
+    QTRY_COMPARE(names().front(), QString("flower"));
+    QTRY_VERIFY(note->isVisible() || !session.isBusy());
+    QVERIFY(!note->text().contains("Filling"));
+    QVERIFY(settle(session));
 }
 
 /// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.

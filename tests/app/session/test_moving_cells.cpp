@@ -23,6 +23,7 @@ class TestMovingCells : public QObject {
     void pictureIsTheSame_data();
     void pictureIsTheSame();
     void dragsAloneAreDrawnSo();
+    void partsAreDrawnSo();
 };
 
 namespace {
@@ -269,6 +270,56 @@ void TestMovingCells::dragsAloneAreDrawnSo() {
     QVERIFY(drawn(true, Filter::Bilinear));
     QVERIFY(!drawn(true, Filter::Ewa));
     QVERIFY(!drawn(false, Filter::Bilinear));
+}
+
+/// Two sheets that lie over each other at rest and side by side in their picture: the second one is in front.
+/// Blended ones have their own cells.
+void TestMovingCells::partsAreDrawnSo() {
+    constexpr int kSquares = 74;
+    const MeshPtr sheet = gridOf(kSquares);
+    const int vertices = sheet->vertexCount(), cells = sheet->cellCount();
+    const auto twice = [&](const Vec<2>& shift) {
+        SimplicialMesh<2> both = *sheet;
+        both.points.conservativeResize(2, 2 * vertices);
+        both.points.rightCols(vertices) = sheet->points.colwise() + shift;
+        for (const Cell<2>& cell : sheet->cells)
+            both.cells.push_back({cell[0] + vertices, cell[1] + vertices, cell[2] + vertices});
+        both.parts = {{"back", 0, vertices, 0, cells}, {"front", vertices, 2 * vertices, cells, 2 * cells}};
+        return std::make_shared<const SimplicialMesh<2>>(std::move(both));
+    };
+    const MeshPtr drawn = twice({90, 50});
+    Texture texture{twice({kSquares * kUnit + 32, 10}), {}, drawn, std::vector<Sheet>(2), {}, 640, 640};
+    Points<2> pose = drawn->points;
+    for (Eigen::Index v = 0; v < pose.cols(); ++v) pose(0, v) += 15 * std::sin(0.01 * pose(1, v));
+    RenderThread thread;
+    std::shared_ptr<const RenderResult> result;
+    connect(&thread, &RenderThread::rendered, this, [&](const auto& one) { result = one; });
+    const auto render = [&](RenderRequest request) {
+        result.reset();
+        thread.post(std::move(request));
+        return QTest::qWaitFor([&] { return result != nullptr; }, 60000);
+    };
+    RenderRequest request = requestOf(drawn, pose);
+    request.filter = Filter::Bilinear;
+    request.texture = std::make_shared<const Texture>(texture);
+    request.plan = std::make_shared<const PaintingPlan>(*drawn, std::vector<float>());
+    const QImage whole = RenderThread::render(request);
+    QVERIFY(render(request));
+    QVERIFY(result->request.cells && 2 * result->request.cells->cells.size() < drawn->cells.size());
+    int differing = 0, seen = 0;
+    for (int y = 0; y < whole.height(); ++y)
+        for (int x = 0; x < whole.width(); ++x) {
+            const QRgb a = whole.pixel(x, y), b = result->image.pixel(x, y);
+            QCOMPARE(qAlpha(b), qAlpha(a));
+            seen += qAlpha(a) > 0;
+            differing += worst(a, b) > 8;
+        }
+    QVERIFY(seen > 80000);
+    QVERIFY2(differing < whole.height(), qPrintable(QString("%1 of %2").arg(differing).arg(seen)));
+    texture.sheets[1].blend = BlendMode::Multiply;
+    request.texture = std::make_shared<const Texture>(texture);
+    QVERIFY(render(request));
+    QVERIFY(!result->request.cells);
 }
 
 QTEST_MAIN(TestMovingCells)

@@ -97,6 +97,7 @@ class TestParts : public QObject {
     void cutsBecomeParts();
     void groundsAreFilled();
     void mattesAddUp();
+    void mattesAreSoftWithinAShape();
     void limbsHangOnSeams();
     void layersAreWritten();
     void partsAreChannels();
@@ -441,6 +442,31 @@ void TestParts::mattesAddUp() {
             QVERIFY(top[c] >= 0 && top[c] <= top[3] + 1e-5F);
             QVERIFY(std::abs(top[c] + (1 - top[3]) * below[c] - whole[c]) < 1e-5F);
         }
+    }
+}
+
+/// A cut across something bright, behind which it is dark, has a soft edge although no colour but white with
+/// full alpha gives white over black; a little of it stays in the ground.
+void TestParts::mattesAreSoftWithinAShape() {
+    constexpr int kWide = 9;
+    Image picture = plainPicture(kWide, 1, {0, 0, 0, 0});
+    picture.type = PixelType::Float, picture.unassociated = false;
+    picture.makePixels();
+    Image ground = picture;
+    std::vector<float> share;
+    for (int x = 0; x < kWide; ++x) {
+        float* pixel = reinterpret_cast<float*>(picture.data.data()) + 4 * x;
+        std::fill_n(pixel, 4, 1.0F);
+        reinterpret_cast<float*>(ground.data.data())[4 * x + 3] = 1;
+        share.push_back(static_cast<float>(x) / (kWide - 1));
+    }
+    const Matte matte = separated(picture, ground, share);
+    for (int x = 0; x < kWide; ++x) {
+        const float* top = reinterpret_cast<const float*>(matte.top.data.data()) + 4 * x;
+        const float* below = reinterpret_cast<const float*>(matte.ground.data.data()) + 4 * x;
+        QVERIFY(std::abs(top[3] - std::min(1.0F, 2 * share[static_cast<std::size_t>(x)])) < 1e-6F);
+        QVERIFY(std::abs(top[0] + (1 - top[3]) * below[0] - 1) < 1e-6F);
+        QVERIFY(x <= kWide / 2 ? below[0] == 1 || top[3] == 1 : below[0] == 0);
     }
 }
 

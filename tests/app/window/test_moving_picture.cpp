@@ -12,7 +12,7 @@ using namespace wend;
 class TestMovingPicture : public QObject {
     Q_OBJECT
   private slots:
-    void smallViewsAreAlwaysFine();
+    void smallViewsAreNotCoarse();
     void largeViewsAreAsFineAsTheTimeAllows();
     void itDoesNotGoToAndFro();
     void oneSlowPictureIsForgotten();
@@ -49,10 +49,19 @@ Ground::Look lookOf(const QSize& size, double ratio) {
 
 }  // namespace
 
-void TestMovingPicture::smallViewsAreAlwaysFine() {
+/// However slow it is, 200 000 pixels are drawn.
+void TestMovingPicture::smallViewsAreNotCoarse() {
     DrawingPace pace;
     for (int i = 0; i < 20; ++i) pace.learn(1e6, 500);
+    QCOMPARE(pace.coarseness(1280.0 * 800), 2);
+    QCOMPARE(pace.coarseness(800.0 * 600), 1);
+    QCOMPARE(pace.coarseness(1900.0 * 1000), 3);
+    for (int i = 0; i < 60; ++i) pace.learn(1e6, 13);
+    QCOMPARE(pace.coarseness(1280.0 * 800), 1);  // 13.3 ms, and up to 20
+    for (int i = 0; i < 60; ++i) pace.learn(1e6, 19);
     QCOMPARE(pace.coarseness(1280.0 * 800), 1);
+    for (int i = 0; i < 60; ++i) pace.learn(1e6, 21);
+    QCOMPARE(pace.coarseness(1280.0 * 800), 2);
 }
 
 /// Of 8.3 million pixels at so many nanoseconds each, 14 ms draw 8.3/4 at 6.7, 8.3/9 at 15; never less
