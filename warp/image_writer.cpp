@@ -307,10 +307,10 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
 }
 
 void writeImage(const std::string& path, const Image& image) {
-    constexpr int kRows = 256;
+    constexpr int kRowsAtOnce = 256;
     Image header{image.width,        image.height, image.channels, image.type, image.alpha,
                  image.unassociated, {},           image.metadata, image.place};
-    writeImage(path, header, kRows, [&](int top, Image& strip) {
+    writeImage(path, header, kRowsAtOnce, [&](int top, Image& strip) {
         std::copy_n(image.row(top), strip.data.size(), strip.data.data());
     });
 }

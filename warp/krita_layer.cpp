@@ -50,8 +50,8 @@ pugi::xml_node pictureOf(pugi::xml_node node) {
 }
 
 int placeIn(const pugi::xml_node& node, const char* axis) {
-    constexpr int kFarthest = 100'000'000;
-    return std::clamp(node.attribute(axis).as_int(), -kFarthest, kFarthest);
+    constexpr int kFarthestLayer = 100'000'000;
+    return std::clamp(node.attribute(axis).as_int(), -kFarthestLayer, kFarthestLayer);
 }
 
 std::string fileOf(const pugi::xml_node& node) {

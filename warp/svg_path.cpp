@@ -269,10 +269,10 @@ SvgPath transformed(SvgPath path, const Affine& by) {
 }
 
 bool isFinite(const SvgPath& path) {
-    constexpr double kFarthest = 1e9;
+    constexpr double kFarthestPoint = 1e9;
     return std::ranges::all_of(path, [](const PathPiece& piece) {
         return std::all_of(piece.points.begin(), piece.points.begin() + piece.count(), [](const Vec<2>& p) {
-            return p.allFinite() && p.cwiseAbs().maxCoeff() < kFarthest;
+            return p.allFinite() && p.cwiseAbs().maxCoeff() < kFarthestPoint;
         });
     });
 }

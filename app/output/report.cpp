@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<HandleReach> reachedAt(const Design& design, double time) {
     std::vector<HandleReach> all;
-    for (const Pin& handle : design.handles) all.push_back({handle.name, reachOf(handle, time)});
+    for (const Pin& handle : design.handles) all.push_back({handle.name, reachOf(handleIn<3>(handle), time)});
     return all;
 }
 

@@ -28,15 +28,15 @@ QRect cardIn(const QSize& view) {
 /// Draws the four names below their colours; only the first and the last if they would overlap.
 void paintStops(QPainter& painter, const QRect& where, int dimension) {
     const EnergyScale scale(dimension);
-    constexpr int kLast = EnergyScale::kStops - 1, kGap = 7;
+    constexpr int kLast = EnergyScale::kStops - 1, kLegendGap = 7;
     std::array<int, EnergyScale::kStops> x{}, width{};
     for (int i = 0; i <= kLast; ++i) {
         width[i] = painter.fontMetrics().horizontalAdvance(scale.stops()[i].name);
         const int middle = where.left() + where.width() * i / kLast;
         x[i] = std::clamp(middle - width[i] / 2, where.left(), where.right() - width[i]);
     }
-    for (int i = 1; i < kLast; ++i) x[i] = std::max(x[i], x[i - 1] + width[i - 1] + kGap);
-    for (int i = kLast - 1; i > 0; --i) x[i] = std::min(x[i], x[i + 1] - kGap - width[i]);
+    for (int i = 1; i < kLast; ++i) x[i] = std::max(x[i], x[i - 1] + width[i - 1] + kLegendGap);
+    for (int i = kLast - 1; i > 0; --i) x[i] = std::min(x[i], x[i + 1] - kLegendGap - width[i]);
     for (int i = 0; i <= kLast; ++i)
         painter.drawText(QRect(x[i], where.top(), width[i] + 2, where.height()), Qt::AlignLeft,
                          scale.stops()[i].name);

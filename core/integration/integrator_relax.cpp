@@ -40,8 +40,8 @@ typename Deformer<Dim>::Integrator::Relaxation Deformer<Dim>::Integrator::relaxa
 /// current one ends.
 template <int Dim>
 double Deformer<Dim>::Integrator::leastElasticStep() const {
-    constexpr double kPart = 1e-3;  // of the stretch between two breakpoints
-    return kPart * stretch();
+    constexpr double kRelaxedPart = 1e-3;  // of the stretch between two breakpoints
+    return kRelaxedPart * stretch();
 }
 
 /// Returns whether constraints have changed so that an elastic shape is at rest elsewhere, as after a handle
@@ -210,11 +210,11 @@ void Deformer<Dim>::Integrator::relaxFrame(double t, Points<Dim>& shape) {
 template <int Dim>
 bool Deformer<Dim>::Integrator::leadElastic(double from, const Points<Dim>& start, double to,
                                             Points<Dim>& shape) {
-    constexpr int kMostParts = 16;
+    constexpr int kMostRelaxedParts = 16;
     if (!std::isinf(m_memory)) return false;
     m_solver->setStop({});
     bool good = false;
-    for (int parts = 1; parts <= kMostParts && !good; parts *= 2) {
+    for (int parts = 1; parts <= kMostRelaxedParts && !good; parts *= 2) {
         Points<Dim> led = start;
         good = true;
         for (int k = 1; k <= parts && good; ++k) {

@@ -152,8 +152,8 @@ Vec<Dim> groupNormal(const MeshFile& file, const std::string& name) {
         sum += normal;
         total += normal.norm();
     }
-    constexpr double kNone = 1e-9;
-    if (!(sum.norm() > kNone * total))
+    constexpr double kNoNormal = 1e-9;
+    if (!(sum.norm() > kNoNormal * total))
         throw InputError("the normals of the group '" + name + "' cancel out: it has no mean normal");
     if constexpr (Dim == 3) sum *= outwardSign(file);
     return sum.normalized();

@@ -157,11 +157,11 @@ void OptionField::setRange(const Range& range) {
 
 /// An open end is one digit away; infinite ends are limited by the box.
 void OptionField::limitNumber() {
-    constexpr double kMost = 1e9;
+    constexpr double kMostShown = 1e9;
     const double digit = std::pow(0.1, m_number->decimals()), factor = m_option.row.factor;
-    const double minimum = std::max(-kMost, factor * m_range.min) + (m_range.openMin ? digit : 0);
+    const double minimum = std::max(-kMostShown, factor * m_range.min) + (m_range.openMin ? digit : 0);
     m_number->setRange(*m_option.row.zero ? 0 : minimum,
-                       std::min(kMost, factor * m_range.max) - (m_range.openMax ? digit : 0));
+                       std::min(kMostShown, factor * m_range.max) - (m_range.openMax ? digit : 0));
 }
 
 std::string OptionField::value() const {

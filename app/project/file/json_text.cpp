@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDeepest = 64;
-constexpr std::size_t kWidth = 110;
+constexpr std::size_t kLineWidth = 110;
 
 /// Watches the parser: the library keeps silent about keys given twice and recurses as deep as the text says.
 class ParseGuard {
@@ -77,7 +77,7 @@ class Printer {
 
     void value(const Json& json, int depth) {
         const std::string line = compact(json);
-        const bool fits = line.size() + 2 * depth <= kWidth;
+        const bool fits = line.size() + 2 * depth <= kLineWidth;
         if (!json.is_structured() || json.empty() || (depth > 0 && fits))
             m_text += line;
         else if (json.is_array() && json.front().is_number())
@@ -104,10 +104,10 @@ class Printer {
     /// Writes as many numbers per line as fit.
     void filled(const Json& json, int depth) {
         m_text += "[";
-        std::size_t column = kWidth;
+        std::size_t column = kLineWidth;
         for (std::size_t i = 0; i < json.size(); ++i) {
             const std::string entry = compact(json[i]) + (i + 1 < json.size() ? "," : "");
-            if (column + entry.size() + 1 > kWidth) {
+            if (column + entry.size() + 1 > kLineWidth) {
                 newLine(depth + 1);
                 column = 2 * (depth + 1);
             } else {

@@ -51,7 +51,7 @@ const MeshField* wantedField(const MeshFile& file, const std::string& name, cons
 
 /// Returns a matrix of the plane within the 6 or 9 numbers that programs write of it in space. Throws
 /// InputError for one that leaves the plane.
-std::vector<double> inPlane(const std::vector<double>& numbers) {
+std::vector<double> upperLeftOf(const std::vector<double>& numbers) {
     const std::vector<std::size_t> across = numbers.size() == 9   ? std::vector<std::size_t>{2, 5, 6, 7}
                                             : numbers.size() == 6 ? std::vector<std::size_t>{4, 5}
                                                                   : std::vector<std::size_t>{};
@@ -75,7 +75,7 @@ void readCellFields(const MeshFile& file, MaterialSpec& spec, int dimension) {
     for (auto at = B ? B->values.begin() : std::vector<double>::const_iterator(); B && at < B->values.end();
          at += B->components) {
         const std::vector<double> numbers(at, at + B->components);
-        spec.cellB.push_back(matrixFrom(dimension == 2 ? inPlane(numbers) : numbers, dimension));
+        spec.cellB.push_back(matrixFrom(dimension == 2 ? upperLeftOf(numbers) : numbers, dimension));
     }
     if (spec.cellPhi.empty() && spec.cellB.empty()) throw InputError("has no values phi or B per cell");
 }

@@ -85,7 +85,7 @@ void readSource(JsonObject& object, PicturePart& part) {
     }
 }
 
-BlendMode readBlend(const JsonValue& value) {
+BlendMode readBlendMode(const JsonValue& value) {
     constexpr std::array kModes{BlendMode::Normal, BlendMode::Multiply, BlendMode::Screen, BlendMode::Add};
     const std::string word = value.text();
     const auto mode = std::ranges::find(kModes, word, blendWord);
@@ -133,7 +133,7 @@ PicturePart readPart(const JsonValue& value) {
     }
     if (auto hidden = object.find("hidden")) part.hidden = hidden->boolean();
     if (auto locked = object.find("locked")) part.locked = locked->boolean();
-    if (auto blend = object.find("blend")) part.blend = readBlend(*blend);
+    if (auto blend = object.find("blend")) part.blend = readBlendMode(*blend);
     if (auto order = object.find("order")) part.order = readOrder(*order);
     if (auto joints = object.find("joints"))
         for (const JsonValue& joint : joints->elements()) part.joints.push_back(readJoint(joint));

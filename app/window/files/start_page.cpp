@@ -50,7 +50,7 @@ class Shelf : public QWidget {
   public:
     explicit Shelf(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
         m_grid->setContentsMargins(0, 0, 0, 0);
-        m_grid->setSpacing(kGap);
+        m_grid->setSpacing(kCardGap);
         m_grid->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     }
     QSize minimumSizeHint() const override {
@@ -65,10 +65,10 @@ class Shelf : public QWidget {
     void resizeEvent(QResizeEvent*) override { arrange(); }
 
   private:
-    static constexpr int kGap = 14;
+    static constexpr int kCardGap = 14;
     void arrange() {
-        const int card = m_cards.first()->sizeHint().width() + kGap;
-        const int columns = std::clamp((width() + kGap) / card, 1, static_cast<int>(m_cards.size()));
+        const int card = m_cards.first()->sizeHint().width() + kCardGap;
+        const int columns = std::clamp((width() + kCardGap) / card, 1, static_cast<int>(m_cards.size()));
         if (columns == m_columns && m_grid->count() == m_cards.size()) return;
         m_columns = columns;
         for (QWidget* one : m_cards) m_grid->removeWidget(one);

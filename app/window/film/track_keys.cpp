@@ -89,8 +89,8 @@ bool TrackView::pressKey(const QPointF& at, bool joins) {
 
 void TrackView::dragKeys(double time) {
     GrabbedKeys& grabbed = *m_grabbedKeys;
-    constexpr double kDragged = 3;  // pixels before a press is a drag
-    if (grabbed.shift == 0 && std::abs(xOf(time) - xOf(grabbed.at)) < kDragged) return;
+    constexpr double kDraggedKey = 3;  // pixels before a press is a drag
+    if (grabbed.shift == 0 && std::abs(xOf(time) - xOf(grabbed.at)) < kDraggedKey) return;
     const std::vector<KeyId> keys = changeableKeys();
     const double to = snapped(grabbed.key.time + (time - grabbed.at), keys);
     grabbed.shift = fittedShift(m_session.document().design(), keys, to - grabbed.key.time);
