@@ -29,7 +29,7 @@ bool comesBack(const Pin& handle) {
     };
     if (handle.motions.empty() || std::ranges::any_of(handle.motions, isField)) return false;
     try {
-        const HandleTimeline<3> timeline(handle);
+        const HandleTimeline<3> timeline(handleIn<3>(handle));
         const double from = handle.motions.front().start, to = handle.motions.back().end;
         double farthest = 0, atEnd = 0;
         for (int k = 0; k <= kSamples; ++k) {

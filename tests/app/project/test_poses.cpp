@@ -60,7 +60,7 @@ Project film() {
 /// The place of a handle's point that rests at the origin.
 template <int Dim>
 Vec3 placeAt(const Project& project, int handle, double time) {
-    const HandleTimeline<3> timeline(project.design.handles[handle]);
+    const HandleTimeline<3> timeline(handleIn<3>(project.design.handles[handle]));
     return timeline.bodyAt(time, Side::Before).position(Vec3::Zero());
 }
 
