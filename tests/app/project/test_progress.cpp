@@ -58,7 +58,9 @@ Pin& handleOf(const Film& project) {
 
 /// Where the pin is, as wend run has it.
 Vec3 placeAt(const Film& project, double time) {
-    return HandleTimeline<3>(handleIn<3>(handleOf(project))).bodyAt(time, Side::Before).position(Vec3(10, 20, 0));
+    return HandleTimeline<3>(handleIn<3>(handleOf(project)))
+        .bodyAt(time, Side::Before)
+        .position(Vec3(10, 20, 0));
 }
 
 Film eased(const Film& before, const std::vector<MotionId>& motions, const Progress& progress) {

@@ -267,9 +267,9 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     click(pin(1) + QPoint(-60, 0));
     QVERIFY(told.size() == 1 && told.last().first().toString().contains(QStringLiteral("Click the pin")));
     Document& document = m_f->session().document();
-    document.changeDesign(
-        QStringLiteral("Lock"),
-        withTraits(document.design(), {1}, [](PinTraits& traits) { traits.locked = true; }));
+    document.changeDesign(QStringLiteral("Lock"), withTraits(document.design(), {1}, [](PinTraits& traits) {
+                              traits.locked = true;
+                          }));
     QVERIFY(settle(m_f->session()));
     const int before = steps();
     click(pin(1));
