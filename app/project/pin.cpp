@@ -89,23 +89,25 @@ Pin pinOf(const Handle<Dim>& handle) {
 
 }  // namespace
 
-template <>
-Placement<2> placementIn<2>(const Placement<3>& at) {
-    return Flat::placement(at);
+template <int Dim>
+Placement<Dim> placementIn(const Placement<3>& at) {
+    if constexpr (Dim == 3)
+        return at;
+    else
+        return Flat::placement(at);
 }
-template <>
-Placement<3> placementIn<3>(const Placement<3>& at) {
-    return at;
-}
+template Placement<2> placementIn<2>(const Placement<3>&);
+template Placement<3> placementIn<3>(const Placement<3>&);
 
-template <>
-Motion<2> motionIn<2>(const PinMotion& motion) {
-    return Flat::motion(motion);
+template <int Dim>
+Motion<Dim> motionIn(const PinMotion& motion) {
+    if constexpr (Dim == 3)
+        return motion;
+    else
+        return Flat::motion(motion);
 }
-template <>
-Motion<3> motionIn<3>(const PinMotion& motion) {
-    return motion;
-}
+template Motion<2> motionIn<2>(const PinMotion&);
+template Motion<3> motionIn<3>(const PinMotion&);
 
 template <int Dim>
 Handle<Dim> handleIn(const Pin& pin) {

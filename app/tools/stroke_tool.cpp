@@ -125,6 +125,7 @@ void StrokeTool::press(const QMouseEvent& event) {
 }
 
 void StrokeTool::start(const QPointF& at) {
+    if (!frame()) return cancel();
     m_waits = false;
     begin();
     dabsTo(at);
@@ -167,8 +168,9 @@ std::optional<QPointF> StrokeTool::lineStart() const {
 }
 
 void StrokeTool::drawLine() {
-    const QPointF to = m_last;
-    m_last = *lineStart();
+    const auto from = lineStart();
+    if (!from) return cancel();
+    const QPointF to = std::exchange(m_last, *from);
     m_modifiers &= ~Qt::ShiftModifier;
     m_waits = false;
     begin();

@@ -43,10 +43,14 @@ class RestPlacesOf : public RestPlaces {
         place.cell += firstCell;
         return place;
     }
+    /// Leaves out vertices that no cell has.
+    void add(int vertex, PinPlace& place) const {
+        if (m_vertices[vertex].cell >= 0) place.points.push_back(m_vertices[vertex]);
+    }
     PinPlace atVertices(const std::vector<int>& vertices, int first) const {
         PinPlace place;
         for (const int v : vertices)
-            if (v >= 0 && first + v < m_rest.vertexCount()) place.points.push_back(m_vertices[first + v]);
+            if (v >= 0 && first + v < m_rest.vertexCount()) add(first + v, place);
         return place;
     }
     PinPlace inShape(const std::vector<Vec3>& points) const { return among(points, m_locator, 0); }
@@ -66,8 +70,7 @@ class RestPlacesOf : public RestPlaces {
         place.region = true;
         for (std::size_t i = 0; i < parts.size() && place.points.empty(); ++i)
             for (int v = parts[i].firstVertex; v < parts[i].endVertex; ++v)
-                if (signedDistance<Dim>(region, m_rest.points.col(v)) <= 0)
-                    place.points.push_back(m_vertices[v]);
+                if (signedDistance<Dim>(region, m_rest.points.col(v)) <= 0) add(v, place);
         return place;
     }
 

@@ -13,7 +13,7 @@ namespace wend {
 namespace {
 
 constexpr double kSameValue = 1e-9;
-constexpr double kNear = 0.25;  // of the shape's extent
+constexpr double kNear = 0.25;  // of the shape's size
 
 QString stopName(double phi, int dimension) {
     constexpr std::array<const char*, kEnergyStops> kNames = {

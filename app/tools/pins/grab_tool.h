@@ -35,7 +35,7 @@ class GrabTool : public ShapeTool<> {
     virtual bool take(Qt::KeyboardModifiers with) = 0;
     /// Changes the selected handle by a click with Shift or Ctrl.
     virtual void takeClicked(Qt::KeyboardModifiers) {}
-    /// Updates what would be held, shows it, and drops it.
+    /// Update, paint and drop what would be held.
     virtual void follow() {}
     virtual void paintCaught(QPainter&) const {}
     virtual void drop() {}

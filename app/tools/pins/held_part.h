@@ -8,10 +8,9 @@
 
 namespace wend {
 
-/// The part of a picture that a handle will hold is an area of the screen, which becomes a polygon of the
-/// rest shape; that of a solid are vertices in increasing order.
-
-/// Return the part of the shape that is drawn over; of a solid only what is visible, unless `through`.
+/// Return the part of the shape that is drawn over, which a handle will hold: of a picture an area of the
+/// screen, which becomes a polygon of the rest shape; of a solid its vertices in increasing order, only
+/// visible ones unless `through`.
 QPainterPath drawnPart(const PictureShapeView& view, const DrawnOutline& outline);
 std::vector<int> drawnPart(const SolidShapeView& view, const DrawnOutline& outline, bool through);
 /// Both lists are in increasing order.

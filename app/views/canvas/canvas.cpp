@@ -112,12 +112,12 @@ std::optional<Touch> ShapeCanvas::touch(const QPointF& widget) const {
     return best;
 }
 
-/// Returns whether another place of the rest shape is visible there.
-bool ShapeCanvas::isHidden(const Place& place, const Vec3& p) const {
+/// Returns whether another place of the rest shape is visible where this one is in the frame: a pin may be
+/// dragged ahead of it.
+bool ShapeCanvas::isHidden(const Place& place, const Vec3&) const {
     const FramePtr frame = m_session.frame();
-    const auto seen = touch(onScreen(p));
-    return frame && seen &&
-           (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
+    const auto seen = frame ? touch(onScreen(frame->at(place))) : std::nullopt;
+    return seen && (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
 }
 
 std::optional<Vec3> ShapeCanvas::placeOf(int cell) const {

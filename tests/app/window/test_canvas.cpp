@@ -13,6 +13,7 @@
 #include "app/project/edits/setting_edits.h"
 #include "app/session/opening.h"
 #include "app/tools/measure_tool.h"
+#include "app/tools/pins/pin_picking.h"
 #include "app/tools/pins/pin_tool.h"
 #include "app/tools/region_outline.h"
 #include "app/views/canvas/canvas.h"
@@ -60,6 +61,7 @@ class TestCanvas : public QObject {
     void everyMeasureIsComplete();
     void worstPlaceIsMarkedWhereItIs();
     void namesOfPinsWaitForAMoment();
+    void draggedPinsAreNotCovered();
     void partsAreFramedWhereTheyAre();
     void framesStandOnTheirPath();
     void edgesAreThoseOfThePose();
@@ -719,6 +721,22 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
     QTest::mouseMove(m_canvas.get(), at + QPoint(0, 90));
     QTRY_COMPARE(viewport.named(), -1);
     QCOMPARE(beside(), nothing);
+}
+
+/// The pointer leads a pin over another place of the shape before the shape follows.
+void TestCanvas::draggedPinsAreNotCovered() {
+    const int pin = m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
+    QVERIFY(settle(*m_session));
+    m_session->selection().set({pin});
+    m_session->beginDrag();
+    m_session->dragBy({60, 0, 0});
+    const PinView dragged = m_session->pins()[0];
+    QVERIFY((dragged.centre - Vec3(100, 80, 0)).norm() < 1e-9);
+    QVERIFY((m_session->frame()->at(dragged.places[0]) - Vec3(40, 80, 0)).norm() < 1e-9);
+    QVERIFY(m_canvas->touch(m_canvas->onScreen(dragged.centre)));
+    QVERIFY(!isMarkCovered(*m_canvas, dragged));
+    m_session->cancelDrag();
 }
 
 /// Of a curve after another motion, and where it is short on the screen not one over the other.
