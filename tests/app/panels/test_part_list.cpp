@@ -730,6 +730,7 @@ void TestPartList::whatStaysBehindMayRide() {
     QVERIFY(ride);
     ride->click();
     QCOMPARE(parts()[1].ridesOn, std::string("board"));
+    QVERIFY(banner->property("offers").toBool());  // no error
     QVERIFY(settle(session));
     QVERIFY(!banner->text().contains("ride on"));
 }
