@@ -1046,6 +1046,14 @@
         <source>a QOI picture</source>
         <translation>ein QOI-Bild</translation>
     </message>
+    <message>
+        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
+        <translation>Ebenen eines TIFFs haben keine Deckkraft, Sichtbarkeit und keinen Füllmodus: Die von %1 fehlen</translation>
+    </message>
+    <message>
+        <source>layers of a TIFF need names of their own: %1</source>
+        <translation>Ebenen eines TIFFs brauchen eigene Namen: %1</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1186,6 +1194,10 @@
     <message>
         <source>DragonBones skeleton</source>
         <translation>DragonBones-Skelett</translation>
+    </message>
+    <message>
+        <source>Layers (TIFF)</source>
+        <translation>Ebenen (TIFF)</translation>
     </message>
 </context>
 <context>
@@ -4500,6 +4512,10 @@
     <message>
         <source>Writing the film …</source>
         <translation>Der Film wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>The name of a TIFF with layers ends in %1.</source>
+        <translation>Der Name eines TIFFs mit Ebenen endet auf %1.</translation>
     </message>
 </context>
 <context>

@@ -1046,6 +1046,14 @@
         <source>a QOI picture</source>
         <translation>una imagen QOI</translation>
     </message>
+    <message>
+        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
+        <translation>las capas de un TIFF no tienen opacidad, visibilidad ni modo de fusión: se omiten los de %1</translation>
+    </message>
+    <message>
+        <source>layers of a TIFF need names of their own: %1</source>
+        <translation>las capas de un TIFF necesitan nombres propios: %1</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1186,6 +1194,10 @@
     <message>
         <source>DragonBones skeleton</source>
         <translation>Esqueleto de DragonBones</translation>
+    </message>
+    <message>
+        <source>Layers (TIFF)</source>
+        <translation>Capas (TIFF)</translation>
     </message>
 </context>
 <context>
@@ -4500,6 +4512,10 @@
     <message>
         <source>Writing the film …</source>
         <translation>Escribiendo la película…</translation>
+    </message>
+    <message>
+        <source>The name of a TIFF with layers ends in %1.</source>
+        <translation>El nombre de un TIFF con capas termina en %1.</translation>
     </message>
 </context>
 <context>

@@ -1046,6 +1046,14 @@
         <source>a QOI picture</source>
         <translation>une image QOI</translation>
     </message>
+    <message>
+        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
+        <translation>les calques d’un TIFF n’ont ni opacité, ni visibilité, ni mode de fusion : ceux de %1 sont omis</translation>
+    </message>
+    <message>
+        <source>layers of a TIFF need names of their own: %1</source>
+        <translation>les calques d’un TIFF doivent avoir chacun leur nom : %1</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1186,6 +1194,10 @@
     <message>
         <source>DragonBones skeleton</source>
         <translation>Squelette DragonBones</translation>
+    </message>
+    <message>
+        <source>Layers (TIFF)</source>
+        <translation>Calques (TIFF)</translation>
     </message>
 </context>
 <context>
@@ -4500,6 +4512,10 @@
     <message>
         <source>Writing the film …</source>
         <translation>Écriture du film…</translation>
+    </message>
+    <message>
+        <source>The name of a TIFF with layers ends in %1.</source>
+        <translation>Le nom d’un TIFF avec calques se termine par %1.</translation>
     </message>
 </context>
 <context>

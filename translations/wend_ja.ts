@@ -1046,6 +1046,14 @@
         <source>a QOI picture</source>
         <translation>QOI 画像</translation>
     </message>
+    <message>
+        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
+        <translation>TIFF のレイヤーには不透明度、表示、描画モードがありません: %1 のものは省かれます</translation>
+    </message>
+    <message>
+        <source>layers of a TIFF need names of their own: %1</source>
+        <translation>TIFF のレイヤーには固有の名前が必要です: %1</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1186,6 +1194,10 @@
     <message>
         <source>DragonBones skeleton</source>
         <translation>DragonBonesスケルトン</translation>
+    </message>
+    <message>
+        <source>Layers (TIFF)</source>
+        <translation>レイヤー (TIFF)</translation>
     </message>
 </context>
 <context>
@@ -4492,6 +4504,10 @@
     <message>
         <source>Writing the film …</source>
         <translation>フィルムを書き出しています…</translation>
+    </message>
+    <message>
+        <source>The name of a TIFF with layers ends in %1.</source>
+        <translation>レイヤー付き TIFF の名前は %1 で終わります。</translation>
     </message>
 </context>
 <context>

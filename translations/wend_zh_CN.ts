@@ -1046,6 +1046,14 @@
         <source>a QOI picture</source>
         <translation>QOI 图片</translation>
     </message>
+    <message>
+        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
+        <translation>TIFF 的图层没有不透明度、可见性和混合模式：已省略 %1 的这些属性</translation>
+    </message>
+    <message>
+        <source>layers of a TIFF need names of their own: %1</source>
+        <translation>TIFF 的图层需要各不相同的名称：%1</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -1186,6 +1194,10 @@
     <message>
         <source>DragonBones skeleton</source>
         <translation>DragonBones 骨架</translation>
+    </message>
+    <message>
+        <source>Layers (TIFF)</source>
+        <translation>图层 (TIFF)</translation>
     </message>
 </context>
 <context>
@@ -4492,6 +4504,10 @@
     <message>
         <source>Writing the film …</source>
         <translation>正在写入影片…</translation>
+    </message>
+    <message>
+        <source>The name of a TIFF with layers ends in %1.</source>
+        <translation>带图层的 TIFF 的文件名以 %1 结尾。</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,9 @@ struct PictureToWrite {
         false;  // of WebP: details that are hardly visible are dropped, for a file of a fraction of the size
     std::vector<std::string> channelNames =
         {};  // of an EXR with more than one picture; empty: the usual ones
+    /// Of a TIFF whose pages are layers: which one this is, at its place in the first one's frame. All but
+    /// the first (0) are added to the file.
+    std::optional<int> page = {};
 };
 
 /// A film that is written to a file.

@@ -18,7 +18,6 @@
 #include "app/project/project.h"
 #include "core/base/error.h"
 #include "core/base/file_name.h"
-#include "core/base/safe_file.h"
 #include "warp/layered_exr.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
@@ -132,13 +131,12 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
         SvgExport svg(*m_project, folder, watch.notice);
         return writeTextFile(path, svg.text(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp));
     }
-    const bool hasChannels = getsPartChannels(path, *posed<2>(m_frame)->built);
-    if (isLayeredFile(path) || hasChannels) {
+    if (isLayeredFile(path) || getsPartChannels(path, *posed<2>(m_frame)->built)) {
         const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
         const Image merged = warpImage(*m_picture, *m_rest, m_pose, view, warp);
-        if (hasChannels) return writeLayeredExr(path, merged, layers, options.depth);
-        return writeWhole(path,
-                          [&](const std::string& temporary) { writeOpenRaster(temporary, layers, merged); });
+        const Message lost = writeLayers(path, layers, merged, options.depth);
+        if (!lost.isEmpty() && watch.notice) watch.notice(path + ": " + lost);
+        return;
     }
     writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }

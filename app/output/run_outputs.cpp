@@ -56,6 +56,7 @@ void requireFilm(const Project& project, const std::string& path) {
 
 void requireFrames(const Project& project, const std::string& path) {
     const bool pictures = canWriteImage(path) || isSvgFile(path);
+    if (isLayeredFile(path)) throw InputError(path, "files with layers are written by --image alone");
     if (!isAnimation(path) && path.find('#') == std::string::npos)
         throw InputError(path, std::string("the name of a sequence needs #### in the place of the number") +
                                    (filmFormatOf(path) ? "; for a film take --film" : ""));

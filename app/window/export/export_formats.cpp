@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/engine/shape/shape.h"
+#include "app/output/layer_export.h"
 #include "core/base/fed_process.h"
 #include "core/mesh/mesh_formats.h"
 #include "warp/film_format.h"
@@ -73,7 +74,9 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     if (shape.hasDrawing()) pictures << ExportFormat{QStringLiteral("SVG"), QStringLiteral(".svg")};
     if (kind == ExportKind::Picture && shape.hasParts())
         pictures << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (OpenRaster)"),
-                                 QStringLiteral(".ora")};
+                                 QStringLiteral(".ora")}
+                 << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (TIFF)"),
+                                 QString::fromUtf8(kLayeredTiff)};
     if (kind == ExportKind::Picture) return pictures;
     if (kind == ExportKind::StMap) return kMaps;
     if (kind == ExportKind::Film) return pictureFilms();

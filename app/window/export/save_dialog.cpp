@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 namespace wend {
 
@@ -10,7 +11,9 @@ QString askFileToWrite(QWidget* parent, const QString& title, const QString& pro
     const QFileInfo proposed(proposal);
     QFileDialog dialog(parent, title, proposed.absolutePath(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(proposed.suffix());
+    static const QRegularExpression onlyOne(QStringLiteral(R"(\(\*\.([^ )]+)\)$)"));
+    const QRegularExpressionMatch extension = onlyOne.match(filter);
+    dialog.setDefaultSuffix(extension.hasMatch() ? extension.captured(1) : proposed.suffix());
     dialog.selectFile(proposed.fileName());
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }

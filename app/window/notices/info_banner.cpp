@@ -20,7 +20,7 @@ constexpr int kHeight = 44, kSign = 20;  // pixels
 bool isOffer(InfoBanner::Topic topic) {
     using enum InfoBanner::Topic;
     return topic == Remark || topic == Lost || topic == Mesh || topic == Border || topic == SoftEdges ||
-           topic == LineArt || topic == Parts || topic == Spring;
+           topic == LineArt || topic == Parts || topic == Riding || topic == Spring;
 }
 
 QString readable(const QString& text) {

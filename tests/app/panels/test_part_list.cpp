@@ -25,6 +25,7 @@
 #include "app/session/brush.h"
 #include "app/session/part_making.h"
 #include "app/session/stray_parts.h"
+#include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/work_note.h"
@@ -278,6 +279,11 @@ void TestPartList::picturesOpenTogether() {
     std::string remark;
     frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
     QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
+    const QList<ExportFormat> formats = exportFormats(ExportKind::Picture, frame);
+    QCOMPARE(formats.last().extension, QString(".layers.tif"));
+    const QString pages = m_folder.filePath("out.layers.tif");
+    frame.write(ExportKind::Picture, pages.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(pages.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
     const QString project = m_folder.filePath("p.wend");
     QVERIFY(QFile::copy(front, project));
     m_f->window().files().openAll(QStringList{front, project});
@@ -724,6 +730,7 @@ void TestPartList::whatStaysBehindMayRide() {
     QVERIFY(settle(session));
     auto* banner = m_f->window().findChild<InfoBanner*>();
     QTRY_VERIFY(banner->text().contains("ride on “board”"));
+    QVERIFY(banner->property("offers").toBool());  // no error
     QAbstractButton* ride = nullptr;
     for (auto* button : banner->findChildren<QAbstractButton*>())
         if (button->text() == "Let It Ride") ride = button;

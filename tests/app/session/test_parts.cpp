@@ -26,6 +26,7 @@
 #include "core/integration/deformer.h"
 #include "core/meshing/outline_combination.h"
 #include "tests/support/pictures.h"
+#include "warp/convert.h"
 #include "warp/inpaint.h"
 #include "warp/matte.h"
 #include "warp/open_raster.h"
@@ -100,6 +101,7 @@ class TestParts : public QObject {
     void mattesAreSoftWithinAShape();
     void limbsHangOnSeams();
     void layersAreWritten();
+    void layersArePages();
     void partsAreChannels();
 
   private:
@@ -534,6 +536,60 @@ void TestParts::layersAreWritten() {
     const QImage merged(at("out/mergedimage.png"));
     QCOMPARE(merged.convertToFormat(QImage::Format_RGBA8888), flat.convertToFormat(QImage::Format_RGBA8888));
     QVERIFY(!QImage(at("out/Thumbnails/thumbnail.png")).isNull());
+}
+
+/// Each page of a TIFF is what the part is alone, to the bit; opacity and the like are told of.
+void TestParts::layersArePages() {
+    const char* const motion = R"(, "handles": [{"at": {"part": "square", "points": [[22, 10], [34, 22]]},
+        "motion": [{"kind": "rotate", "centre": [40, 30], "angle": 1.5}]}])";
+    const auto parts = [](const char* ofSquare, const char* ofOthers) {
+        return QString(R"({"name": "square", "image": "square.png", "at": [20, 8]%1},
+                          {"name": "bar", "image": "bar.png", "at": [10, 14]%2},
+                          {"name": "board", "image": "board.png"%2})")
+            .arg(ofSquare, ofOthers)
+            .toStdString();
+    };
+    const LoadedProject loaded = project(parts("", R"(, "opacity": 0.5)"), motion);
+    RunOptions options;
+    options.outputs.image = {at("out.layers.tif").toStdString(), at("same.ora").toStdString(),
+                             at("flat.tif").toStdString()};
+    options.backEnd = BackEndKind::Cpu;
+    std::vector<std::string> told;
+    RunWatch watch;
+    watch.notice = [&](const Message& text) { told.push_back(text.text()); };
+    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options, watch).outcome ==
+            Outcome::Done);
+    QCOMPARE(told,
+             std::vector{options.outputs.image[0] + ": layers of a TIFF have no opacity, visibility and "
+                                                    "blend mode: those of \"bar\", \"board\" are left out"});
+    const std::string pages = options.outputs.image[0];
+    const auto layers = fileMetadata(readImageHeader(pages))->layers;
+    const auto others = fileMetadata(readImageHeader(options.outputs.image[1]))->layers;
+    QCOMPARE(layers.size(), std::size_t(3));
+    QVERIFY(fileMetadata(readImageHeader(options.outputs.image[2]))->layers.empty());
+    for (std::size_t k = 0; k < 3; ++k) {
+        QCOMPARE(layers[k].name, others[2 - k].name);
+        QCOMPARE(QPoint(layers[k].x, layers[k].y), QPoint(others[2 - k].x, others[2 - k].y));
+        const PixelLayout layout{PixelType::UInt8, 4, true, true};
+        QCOMPARE(converted(readLayer(pages, layers[k].name), layout).data,
+                 converted(readLayer(options.outputs.image[1], layers[k].name), layout).data);
+    }
+    const QImage alone = run(project(parts("", R"(, "hidden": true)"), motion));
+    const Image square = readLayer(pages, "square");
+    for (int y = 0; y < alone.height(); ++y)
+        for (int x = 0; x < alone.width(); ++x) {
+            const int i = x - layers[2].x, j = y - layers[2].y;
+            const bool isIn = i >= 0 && j >= 0 && i < square.width && j < square.height;
+            const auto value = [&](std::size_t c) {
+                return std::to_integer<int>(square.row(j)[4 * static_cast<std::size_t>(i) + c]);
+            };
+            QCOMPARE(qAlpha(alone.pixel(x, y)), isIn ? value(3) : 0);
+            if (isIn && value(3) > 0)
+                QCOMPARE(alone.pixelColor(x, y), QColor(value(0), value(1), value(2), value(3)));
+        }
+    RunOptions frames;
+    frames.outputs.frames = {at("f_##.layers.tif").toStdString()};
+    QVERIFY_EXCEPTION_THROWN(requirePossible(*loaded.project, frames.outputs), InputError);
 }
 
 /// Of every part an EXR file has the picture and the map as it is alone, at its place in the pose: also under
