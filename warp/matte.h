@@ -15,7 +15,7 @@ struct Matte {
 /// another both give the picture again: C = T + (1 − t) G in associated form, with t the alpha of T. Where
 /// the share is below 1, the ground's colours are removed from those of the top. Since these must be neither
 /// below zero nor above white, t exceeds share · α by as much as that requires, up to twice the share, so
-/// that an edge is soft also where it crosses what is in front; there, what is left goes to the ground. Where
+/// that an edge is also soft where it crosses the object in front; the remainder stays in the ground. Where
 /// the picture is not opaque, the alpha of the ground is at most what T leaves of the picture's. Without a
 /// share the pixel is all ground. All pictures have the same size, floats, alpha and associated colours.
 Matte separated(const Image& picture, const Image& ground, const std::vector<float>& share);

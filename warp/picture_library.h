@@ -70,8 +70,8 @@ struct PictureToWrite {
         false;  // of WebP: details that are hardly visible are dropped, for a file of a fraction of the size
     std::vector<std::string> channelNames =
         {};  // of an EXR with more than one picture; empty: the usual ones
-    /// Of a TIFF whose pages are layers: which one this is, at its place in the first one's frame. All but
-    /// the first (0) are added to the file.
+    /// The number of this page in a TIFF of layers, placed in the frame of the first page (0), which creates
+    /// the file; the others are appended.
     std::optional<int> page = {};
 };
 

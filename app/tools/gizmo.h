@@ -20,8 +20,8 @@ struct GizmoPart {
     bool operator==(const GizmoPart&) const = default;
 };
 
-/// What is dragged around a point to move, rotate or scale, of constant size on the screen: a ring in a
-/// picture, a manipulator in space.
+/// A control around a point that is dragged to move, rotate or scale: a ring in a picture, a manipulator in
+/// space. Its size on the screen is constant.
 class Gizmo {
   public:
     using Part = GizmoPart;

@@ -16,6 +16,9 @@ class PictureShapeView : public ShapeView {
         return {inSpace(toShape(widget)) + Vec3::UnitZ(), -Vec3::UnitZ()};
     }
     Vec3 viewDirection() const override { return -Vec3::UnitZ(); }
+    std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const override {
+        return frame.centreOf(cell);
+    }
 };
 
 }  // namespace wend

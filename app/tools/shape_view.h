@@ -37,12 +37,13 @@ class ShapeView {
     virtual Ray ray(const QPointF& widget) const = 0;
     virtual Vec3 viewDirection() const = 0;
     virtual std::optional<Touch> touch(const QPointF& widget) const = 0;
-    /// Returns whether something of the shape is in front of a place of it, or it is cut off.
+    /// Returns whether something of the shape is in front of a place of it, or it is cut off. A picture looks
+    /// at the place in the frame, a solid at the point p, where the pointer may have led it.
     virtual bool isHidden(const Place& place, const Vec3& p) const = 0;
     /// Returns whether the point is in the removed part of a cut.
     virtual bool isCutOff(const Vec3&) const { return false; }
-    /// Returns the visible place of a cell; nothing if it is covered or cut off.
-    virtual std::optional<Vec3> placeOf(int cell) const = 0;
+    /// Returns the visible place of a cell of the drawn frame; nothing if it is covered or cut off.
+    virtual std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const = 0;
     /// Returns the marks of vertices that are not cut off.
     virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
     /// Returns the session's frame, with the material that is being painted.

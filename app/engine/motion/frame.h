@@ -18,8 +18,8 @@ struct Distortion;
 /// A place of a rest shape: a cell and barycentric coordinates, of which the last is 0 in pictures.
 using Place = Location<3>;
 
-/// What the compute thread passes to session and views: a shape in the coordinates of space, with z = 0 in
-/// pictures. Vertices and cells have the numbers of the rest mesh. Immutable and shared.
+/// A shape at a time, as the compute thread passes it to session and views: in the coordinates of space, with
+/// z = 0 in pictures. Vertices and cells have the numbers of the rest mesh. Immutable and shared.
 struct ShapeFrame {
     int generation = 0;  // of the document that it belongs to
     double time = 0;

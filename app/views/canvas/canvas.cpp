@@ -120,11 +120,6 @@ bool ShapeCanvas::isHidden(const Place& place, const Vec3&) const {
     return seen && (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
 }
 
-std::optional<Vec3> ShapeCanvas::placeOf(int cell) const {
-    const FramePtr frame = m_session.frame();
-    return frame ? std::optional(frame->centreOf(cell)) : std::nullopt;
-}
-
 std::vector<VertexMark> ShapeCanvas::marksOf(const std::vector<int>& vertices) const {
     const FramePtr frame = m_session.frame();
     std::vector<VertexMark> marks;

@@ -47,7 +47,6 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
     double pixelSize(const Vec3&) const override { return 1 / m_view.zoom(); }
     std::optional<Touch> touch(const QPointF& widget) const override;
     bool isHidden(const Place& place, const Vec3& p) const override;
-    std::optional<Vec3> placeOf(int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     FramePtr shownFrame() const override { return m_preview.over(m_session.frame<2>()); }
     void showMaterial(const FramePtr& painted, bool lasts) override;

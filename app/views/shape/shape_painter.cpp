@@ -188,7 +188,7 @@ void ShapePainter::dots(const Points<3>& points) {
 
 void ShapePainter::worst(const ShapeFrame& frame, int cell, const QString& words) {
     if (cell < 0) return;
-    const auto place = isFlat() ? std::optional(frame.centreOf(cell)) : m_view.placeOf(cell);
+    const auto place = m_view.placeOf(frame, cell);
     const QPointF at = m_view.onScreen(place ? *place : frame.centreOf(cell));
     m_marks.worst(at, !place);
     if (words.isEmpty()) return;

@@ -41,7 +41,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     bool isCutOff(const Vec<3>& p) const override {
         return cut() != CutKind::None && plane().height(p) > 1e-9;
     }
-    std::optional<Vec<3>> placeOf(int cell) const override;
+    std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
     bool showsManipulators() const override { return !m_cutTool.comesFirst(); }

@@ -75,7 +75,7 @@ bool SolidCanvas::isHidden(const Vec<3>& p) const {
 }
 
 /// Asks through its middle and those of its sides.
-std::optional<Vec<3>> SolidCanvas::placeOf(int cell) const {
+std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
     if (!showsFrame()) return {};
     const Points<3>& pose = shown().pose;
     const Cell<3>& corners = shown().rest->cells[cell];

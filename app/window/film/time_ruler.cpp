@@ -208,7 +208,7 @@ void TimeRuler::addCycleActions(QMenu& menu, double here) {
         ->setEnabled(m_marks.cycle.has_value());
 }
 
-/// What the menu does with a time it does where it was asked for; its keys do it at the time shown.
+/// Opens the menu. Its items act at the time under the pointer, their shortcuts at the time shown.
 void TimeRuler::contextMenuEvent(QContextMenuEvent* event) {
     if (m_scale.end() <= 0 || m_drag != Drag::None) return;
     const bool isPlace = event->reason() == QContextMenuEvent::Mouse;

@@ -635,7 +635,7 @@ void TestPartList::renamedPartIsCut() {
     QVERIFY(settle(session));
 }
 
-/// What takes long after a part was made is filling, which is what the note says; a new name fills nothing.
+/// After a part was made, the note says that the ground is being filled; after a rename it does not.
 void TestPartList::noteNamesTheFilling() {
     QVERIFY(canInpaint());
     const QString path = m_folder.filePath("meadow.png");

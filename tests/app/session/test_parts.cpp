@@ -538,7 +538,7 @@ void TestParts::layersAreWritten() {
     QVERIFY(!QImage(at("out/Thumbnails/thumbnail.png")).isNull());
 }
 
-/// Each page of a TIFF is what the part is alone, to the bit; opacity and the like are told of.
+/// Each page of a TIFF equals the part's own export to the bit; a line names properties that are lost.
 void TestParts::layersArePages() {
     const char* const motion = R"(, "handles": [{"at": {"part": "square", "points": [[22, 10], [34, 22]]},
         "motion": [{"kind": "rotate", "centre": [40, 30], "angle": 1.5}]}])";

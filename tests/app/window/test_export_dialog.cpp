@@ -211,8 +211,8 @@ void TestExportDialog::formatsDecideWhatIsAsked() {
     if (waitForPreview(*mesh)) keepPicture(*mesh, "export-mesh.png");
 }
 
-/// What stands for it elsewhere is what is written: white. The choice comes back with a format that holds it,
-/// unless another one was made.
+/// Formats without transparency show and write white. The choice comes back with a format that holds it,
+/// unless the user has made another one.
 void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);

@@ -324,7 +324,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
         return farthest;
     };
     const auto sizeOfMark = [&] {
-        const auto place = canvas().placeOf(worst);
+        const auto place = canvas().placeOf(*session().frame(), worst);
         return reach(canvas().toWidget(place ? *place : centre));
     };
     session().playback().setTime(0);
@@ -336,16 +336,16 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     const auto isRing = [](double size) { return size > 9 && size < 15; };
     solids().actions().front->trigger();
     canvas().fit();
-    QVERIFY(!canvas().placeOf(worst));
+    QVERIFY(!canvas().placeOf(*session().frame(), worst));
     QVERIFY(isRing(sizeOfMark()));
     canvas().setCutKind(CutKind::Exact);
     canvas().setCutPlane({centre, -Vec<3>::UnitY()});
-    const auto seen = canvas().placeOf(worst);
+    const auto seen = canvas().placeOf(*session().frame(), worst);
     QVERIFY(seen && std::abs(seen->y() - centre.y()) < 1e-9);  // on the section
     QVERIFY(isCross(sizeOfMark()));
     solids().actions().back->trigger();
     canvas().fit();
-    QVERIFY(!canvas().placeOf(worst));
+    QVERIFY(!canvas().placeOf(*session().frame(), worst));
     QVERIFY(isRing(sizeOfMark()));
 }
 
