@@ -141,7 +141,7 @@ std::vector<Rank> ranksOf(const std::vector<Pin>& handles) {
     return ranks;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string quoted(const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) {
         const std::string called = name.empty() ? "one without a name" : "\"" + name + "\"";
@@ -166,7 +166,7 @@ class Transfer {
         takeHandles(designOf(*project).handles);
         std::vector<Message> notices;
         const auto tell = [&](const std::vector<std::string>& names, const Sentence& what) {
-            if (!names.empty()) notices.emplace_back(what, listed(names));
+            if (!names.empty()) notices.emplace_back(what, quoted(names));
         };
         tell(m_added,
              sentence("Core", "pins of the other project without a namesake here, placed in proportion: %1"));

@@ -23,7 +23,7 @@ Hdf5Array whole(const Numbers& values, std::vector<std::int64_t> shape) {
 Hdf5Array whole(const Numbers& values) {
     return whole(values, {std::ssize(values)});
 }
-Hdf5Array bytesOf(std::string text) {
+Hdf5Array charactersOf(std::string text) {
     Hdf5Array array;
     array.kind = Hdf5Array::Kind::Numbers;
     array.type = Scalar::Int8;
@@ -91,8 +91,8 @@ class CgnsPrinter {
         described(root, "HDF5 MotherNode", "Root Node of HDF5 File", "MT");
         std::string format = "IEEE_LITTLE_32", version = "HDF5 Version 1.10";
         format.resize(15), version.resize(33);
-        root.dataSet(" format", bytesOf(format));
-        root.dataSet(" hdf5version", bytesOf(version));
+        root.dataSet(" format", charactersOf(format));
+        root.dataSet(" hdf5version", charactersOf(version));
         constexpr float kVersion = 3.4F;
         Hdf5Array number;
         number.kind = Hdf5Array::Kind::Numbers;
@@ -108,7 +108,7 @@ class CgnsPrinter {
 
   private:
     void printZone(Hdf5Node& zone) {
-        add(zone, "ZoneType", "ZoneType_t", bytesOf("Unstructured"));
+        add(zone, "ZoneType", "ZoneType_t", charactersOf("Unstructured"));
         Hdf5Node& points = add(zone, "GridCoordinates", "GridCoordinates_t");
         for (int k = 0; k < 3; ++k) {
             const Eigen::VectorXd row = m_mesh.points.row(k);
@@ -173,9 +173,9 @@ class CgnsPrinter {
         Hdf5Node& all = add(zone, "ZoneBC", "ZoneBC_t");
         for (const MeshGroup* group : boundary) {
             const std::string name = names.of(groupName(*group));
-            Hdf5Node& condition = add(all, name, "BC_t", bytesOf("FamilySpecified"));
+            Hdf5Node& condition = add(all, name, "BC_t", charactersOf("FamilySpecified"));
             printMembers(*group, condition);
-            add(condition, "FamilyName", "FamilyName_t", bytesOf(name));
+            add(condition, "FamilyName", "FamilyName_t", charactersOf(name));
             m_families.push_back(name);
         }
     }
@@ -191,8 +191,9 @@ class CgnsPrinter {
         const char* const place = group.cells.empty()              ? "Vertex"
                                   : group.dimension == m_dimension ? "CellCenter"
                                                                    : places[group.dimension];
-        add(node, "GridLocation", "GridLocation_t", bytesOf(place));
-        if (node.name != groupName(group)) add(node, "GroupName", "Descriptor_t", bytesOf(groupName(group)));
+        add(node, "GridLocation", "GridLocation_t", charactersOf(place));
+        if (node.name != groupName(group))
+            add(node, "GroupName", "Descriptor_t", charactersOf(groupName(group)));
     }
 
     void printFields(Hdf5Node& zone, bool perCell) {
@@ -202,7 +203,8 @@ class CgnsPrinter {
             if (field.perCell != perCell) continue;
             if (!solution) {
                 solution = &add(zone, perCell ? "CellData" : "PointData", "FlowSolution_t");
-                add(*solution, "GridLocation", "GridLocation_t", bytesOf(perCell ? "CellCenter" : "Vertex"));
+                add(*solution, "GridLocation", "GridLocation_t",
+                    charactersOf(perCell ? "CellCenter" : "Vertex"));
             }
             for (int k = 0; k < field.components; ++k) {
                 std::string name = field.name;
