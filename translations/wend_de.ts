@@ -6737,10 +6737,6 @@
         <translation>Netz</translation>
     </message>
     <message>
-        <source>Sizes</source>
-        <translation>Größen</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>Feinheit</translation>
     </message>
@@ -6944,6 +6940,70 @@
     <message>
         <source>Rename region</source>
         <translation>Gebiet umbenennen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Gebiet hinzufügen</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
+        <translation>Eine Kugel, ein Quader oder ein Halbraum in der Mitte, oder das Gebiet, das der gewählte Griff hält; die Zahlen lassen sich dann ändern.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
+        <translation>Über welche Breite die Größe in die ringsum übergeht, in Einheiten der Datei.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Halbraum</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Gebiet des gewählten Griffs</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>Weicher &amp;Rand</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebiet ändern</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Größengebiet hinzufügen</translation>
+    </message>
+    <message>
+        <source>First select a pin that holds a ball, a box or one side.</source>
+        <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>Darunter: die Faktoren in %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
+        <translation>Die Dreiecke der Oberfläche bleiben, und nur das Innere ändert sich. „Oberfläche verfeinern“ im Feld „Netz“ lässt auch sie teilen.</translation>
     </message>
 </context>
 <context>
@@ -7447,121 +7507,6 @@
     <message>
         <source>History</source>
         <translation>Protokoll</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SizePanel</name>
-    <message>
-        <source>Length of edges</source>
-        <translation>Länge der Kanten</translation>
-    </message>
-    <message>
-        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
-        <translation>Wie lang Kanten dort sind, gegen anderswo: 0,5 ist halb so lang, also feiner; 2 ist doppelt so lang, also gröber.</translation>
-    </message>
-    <message>
-        <source>Where cells are finer or coarser</source>
-        <translation>Wo Zellen feiner oder gröber sind</translation>
-    </message>
-    <message>
-        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
-        <translation>Was der nächste Strich tut, und die Striche und Gebiete, die es gibt; von zweien an einer Stelle gilt das untere. Ein Klick zeigt die Zahlen zum Ändern.</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>Gebiet hinzufügen</translation>
-    </message>
-    <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
-        <translation>Eine Kugel, ein Quader oder ein Halbraum in der Mitte, oder das Gebiet, das der gewählte Griff hält; die Zahlen lassen sich dann ändern.</translation>
-    </message>
-    <message>
-        <source>Remove sizes</source>
-        <translation>Größen entfernen</translation>
-    </message>
-    <message>
-        <source>Removes the chosen stroke or region.</source>
-        <translation>Nimmt den gewählten Strich oder das Gebiet weg.</translation>
-    </message>
-    <message>
-        <source>Soft edge</source>
-        <translation>Weicher Rand</translation>
-    </message>
-    <message>
-        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
-        <translation>Über welche Breite die Größe in die ringsum übergeht, in Einheiten der Datei.</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Quader</translation>
-    </message>
-    <message>
-        <source>Half-space</source>
-        <translation>Halbraum</translation>
-    </message>
-    <message>
-        <source>Region of the selected handle</source>
-        <translation>Gebiet des gewählten Griffs</translation>
-    </message>
-    <message>
-        <source>Cell sizes</source>
-        <translation>Zellgrößen</translation>
-    </message>
-    <message>
-        <source>Soft ed&amp;ge</source>
-        <translation>Weicher &amp;Rand</translation>
-    </message>
-    <message>
-        <source>Change size</source>
-        <translation>Größe ändern</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>Gebiet ändern</translation>
-    </message>
-    <message>
-        <source>Add size region</source>
-        <translation>Größengebiet hinzufügen</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>%1: edges %2</source>
-        <translation>%1: Kanten %2</translation>
-    </message>
-    <message>
-        <source>Next stroke</source>
-        <translation>Nächster Strich</translation>
-    </message>
-    <message>
-        <source>Beneath them: the factors in %1.</source>
-        <translation>Darunter: die Faktoren in %1.</translation>
-    </message>
-    <message>
-        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
-        <translation>Die Dreiecke der Oberfläche bleiben, und nur das Innere ändert sich. „Oberfläche verfeinern“ im Feld „Netz“ lässt auch sie teilen.</translation>
-    </message>
-    <message>
-        <source>E&amp;dges</source>
-        <translation>&amp;Kanten</translation>
-    </message>
-    <message>
-        <source>First select a pin that holds a ball, a box or one side.</source>
-        <translation>Zuerst einen Pin auswählen, der eine Kugel, einen Quader oder eine Seite hält.</translation>
     </message>
 </context>
 <context>

@@ -6737,10 +6737,6 @@
         <translation>Malla</translation>
     </message>
     <message>
-        <source>Sizes</source>
-        <translation>Tamaños</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>Detalle</translation>
     </message>
@@ -6944,6 +6940,70 @@
     <message>
         <source>Rename region</source>
         <translation>Renombrar región</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Añadir región</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
+        <translation>Una esfera, una caja o un semiespacio en el centro, o la región que sujeta el agarre seleccionado; luego se pueden cambiar sus números.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Borde suave</translation>
+    </message>
+    <message>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
+        <translation>Anchura en la que el tamaño pasa al de alrededor, en unidades del archivo.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Semiespacio</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Degradado</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Región del agarre seleccionado</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Borde suave</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Cambiar región</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Añadir región de tamaño</translation>
+    </message>
+    <message>
+        <source>First select a pin that holds a ball, a box or one side.</source>
+        <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>Debajo: los factores de %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
+        <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
     </message>
 </context>
 <context>
@@ -7447,121 +7507,6 @@
     <message>
         <source>History</source>
         <translation>Historial</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SizePanel</name>
-    <message>
-        <source>Length of edges</source>
-        <translation>Longitud de las aristas</translation>
-    </message>
-    <message>
-        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
-        <translation>Longitud de las aristas en ese lugar respecto a las demás: 0,5 es la mitad de largo, más fino; 2 es el doble de largo, más grueso.</translation>
-    </message>
-    <message>
-        <source>Where cells are finer or coarser</source>
-        <translation>Dónde las celdas son más finas o más gruesas</translation>
-    </message>
-    <message>
-        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
-        <translation>Qué hace el próximo trazo, y los trazos y regiones que hay; de dos en un mismo lugar cuenta el de abajo. Un clic muestra los números para cambiarlos.</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Añadir</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Eliminar</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>Añadir región</translation>
-    </message>
-    <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
-        <translation>Una esfera, una caja o un semiespacio en el centro, o la región que sujeta el agarre seleccionado; luego se pueden cambiar sus números.</translation>
-    </message>
-    <message>
-        <source>Remove sizes</source>
-        <translation>Eliminar tamaños</translation>
-    </message>
-    <message>
-        <source>Removes the chosen stroke or region.</source>
-        <translation>Elimina el trazo o la región elegidos.</translation>
-    </message>
-    <message>
-        <source>Soft edge</source>
-        <translation>Borde suave</translation>
-    </message>
-    <message>
-        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
-        <translation>Anchura en la que el tamaño pasa al de alrededor, en unidades del archivo.</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Esfera</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Caja</translation>
-    </message>
-    <message>
-        <source>Half-space</source>
-        <translation>Semiespacio</translation>
-    </message>
-    <message>
-        <source>Region of the selected handle</source>
-        <translation>Región del agarre seleccionado</translation>
-    </message>
-    <message>
-        <source>Cell sizes</source>
-        <translation>Tamaños de celda</translation>
-    </message>
-    <message>
-        <source>E&amp;dges</source>
-        <translation>Aris&amp;tas</translation>
-    </message>
-    <message>
-        <source>Soft ed&amp;ge</source>
-        <translation>&amp;Borde suave</translation>
-    </message>
-    <message>
-        <source>Change size</source>
-        <translation>Cambiar tamaño</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>Cambiar región</translation>
-    </message>
-    <message>
-        <source>Add size region</source>
-        <translation>Añadir región de tamaño</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>Degradado</translation>
-    </message>
-    <message>
-        <source>%1: edges %2</source>
-        <translation>%1: aristas %2</translation>
-    </message>
-    <message>
-        <source>Next stroke</source>
-        <translation>Próximo trazo</translation>
-    </message>
-    <message>
-        <source>Beneath them: the factors in %1.</source>
-        <translation>Debajo: los factores de %1.</translation>
-    </message>
-    <message>
-        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
-        <translation>Los triángulos de la superficie se conservan y solo cambia el interior. «Refinar superficie», en el panel «Malla», permite dividirlos también.</translation>
-    </message>
-    <message>
-        <source>First select a pin that holds a ball, a box or one side.</source>
-        <translation>Seleccione primero un alfiler que sujete una bola, un bloque o un lado.</translation>
     </message>
 </context>
 <context>

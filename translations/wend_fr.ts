@@ -6737,10 +6737,6 @@
         <translation>Maillage</translation>
     </message>
     <message>
-        <source>Sizes</source>
-        <translation>Tailles</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>Détail</translation>
     </message>
@@ -6944,6 +6940,70 @@
     <message>
         <source>Rename region</source>
         <translation>Renommer la région</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Ajouter une région</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
+        <translation>Une sphère, une boîte ou un demi-espace au milieu, ou la région que maintient la poignée sélectionnée&#x202f;; on peut ensuite en changer les nombres.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Bord doux</translation>
+    </message>
+    <message>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
+        <translation>Largeur sur laquelle la taille passe à celle d’alentour, en unités du fichier.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Demi-espace</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Dégradé</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>Région de la poignée sélectionnée</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>&amp;Bord doux</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Modifier la région</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>Ajouter une région de taille</translation>
+    </message>
+    <message>
+        <source>First select a pin that holds a ball, a box or one side.</source>
+        <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>En dessous&#x202f;: les facteurs de %1.</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
+        <translation>Les triangles de la surface sont conservés, seul l’intérieur change. «&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de les diviser aussi.</translation>
     </message>
 </context>
 <context>
@@ -7447,121 +7507,6 @@
     <message>
         <source>History</source>
         <translation>Historique</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SizePanel</name>
-    <message>
-        <source>Length of edges</source>
-        <translation>Longueur des arêtes</translation>
-    </message>
-    <message>
-        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
-        <translation>Longueur des arêtes à cet endroit par rapport à ailleurs&#x202f;: 0,5 est moitié moins long, donc plus fin&#x202f;; 2 est deux fois plus long, donc plus grossier.</translation>
-    </message>
-    <message>
-        <source>Where cells are finer or coarser</source>
-        <translation>Où les cellules sont plus fines ou plus grossières</translation>
-    </message>
-    <message>
-        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
-        <translation>Ce que fait le prochain trait, puis les traits et régions existants&#x202f;; de deux au même endroit, celui du bas compte. Un clic montre les nombres, pour les changer.</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>Ajouter une région</translation>
-    </message>
-    <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
-        <translation>Une sphère, une boîte ou un demi-espace au milieu, ou la région que maintient la poignée sélectionnée&#x202f;; on peut ensuite en changer les nombres.</translation>
-    </message>
-    <message>
-        <source>Remove sizes</source>
-        <translation>Supprimer les tailles</translation>
-    </message>
-    <message>
-        <source>Removes the chosen stroke or region.</source>
-        <translation>Supprime le trait choisi ou la région choisie.</translation>
-    </message>
-    <message>
-        <source>Soft edge</source>
-        <translation>Bord doux</translation>
-    </message>
-    <message>
-        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
-        <translation>Largeur sur laquelle la taille passe à celle d’alentour, en unités du fichier.</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Sphère</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Boîte</translation>
-    </message>
-    <message>
-        <source>Half-space</source>
-        <translation>Demi-espace</translation>
-    </message>
-    <message>
-        <source>Region of the selected handle</source>
-        <translation>Région de la poignée sélectionnée</translation>
-    </message>
-    <message>
-        <source>Cell sizes</source>
-        <translation>Tailles de cellule</translation>
-    </message>
-    <message>
-        <source>E&amp;dges</source>
-        <translation>Arê&amp;tes</translation>
-    </message>
-    <message>
-        <source>Soft ed&amp;ge</source>
-        <translation>&amp;Bord doux</translation>
-    </message>
-    <message>
-        <source>Change size</source>
-        <translation>Modifier la taille</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>Modifier la région</translation>
-    </message>
-    <message>
-        <source>Add size region</source>
-        <translation>Ajouter une région de taille</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>Dégradé</translation>
-    </message>
-    <message>
-        <source>%1: edges %2</source>
-        <translation>%1&#x202f;: arêtes %2</translation>
-    </message>
-    <message>
-        <source>Next stroke</source>
-        <translation>Prochain trait</translation>
-    </message>
-    <message>
-        <source>Beneath them: the factors in %1.</source>
-        <translation>En dessous&#x202f;: les facteurs de %1.</translation>
-    </message>
-    <message>
-        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
-        <translation>Les triangles de la surface sont conservés, seul l’intérieur change. «&#x202f;Raffiner la surface&#x202f;» dans le panneau «&#x202f;Maillage&#x202f;» permet de les diviser aussi.</translation>
-    </message>
-    <message>
-        <source>First select a pin that holds a ball, a box or one side.</source>
-        <translation>Sélectionnez d’abord une épingle qui maintient une boule, un bloc ou un côté.</translation>
     </message>
 </context>
 <context>

@@ -6725,10 +6725,6 @@
         <translation>メッシュ</translation>
     </message>
     <message>
-        <source>Sizes</source>
-        <translation>サイズ</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>細かさ</translation>
     </message>
@@ -6932,6 +6928,70 @@
     <message>
         <source>Rename region</source>
         <translation>領域名を変更</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>領域を追加</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
+        <translation>中央に置く球、直方体、半空間、または選択したハンドルがつかむ領域。数値は後から変更できます。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>境界のぼかし</translation>
+    </message>
+    <message>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
+        <translation>周囲のサイズへ移り変わる幅（ファイルの単位）。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>直方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空間</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>グラデーション</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>選択したハンドルの領域</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>境界のぼかし(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>領域を変更</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>サイズ領域を追加</translation>
+    </message>
+    <message>
+        <source>First select a pin that holds a ball, a box or one side.</source>
+        <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>その下にあるもの：%1 の倍率。</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
+        <translation>サーフェスの三角形は保たれ、内部だけが変わります。「メッシュ」パネルの「サーフェスを細分化」をオンにすると、三角形も分割されます。</translation>
     </message>
 </context>
 <context>
@@ -7430,121 +7490,6 @@
     <message>
         <source>History</source>
         <translation>ヒストリー</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SizePanel</name>
-    <message>
-        <source>Length of edges</source>
-        <translation>辺の長さ</translation>
-    </message>
-    <message>
-        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
-        <translation>ほかの部分に対する辺の長さ。0.5 は半分で細かく、2 は 2 倍で粗くなります。</translation>
-    </message>
-    <message>
-        <source>Where cells are finer or coarser</source>
-        <translation>セルの細かい部分と粗い部分</translation>
-    </message>
-    <message>
-        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
-        <translation>次のストロークの効果と、既存のストロークや領域。同じ場所に 2 つある場合は下のものが有効です。クリックすると数値を表示し、変更できます。</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>追加</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>削除</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>領域を追加</translation>
-    </message>
-    <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
-        <translation>中央に置く球、直方体、半空間、または選択したハンドルがつかむ領域。数値は後から変更できます。</translation>
-    </message>
-    <message>
-        <source>Remove sizes</source>
-        <translation>サイズ指定を削除</translation>
-    </message>
-    <message>
-        <source>Removes the chosen stroke or region.</source>
-        <translation>選択したストロークまたは領域を削除します。</translation>
-    </message>
-    <message>
-        <source>Soft edge</source>
-        <translation>境界のぼかし</translation>
-    </message>
-    <message>
-        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
-        <translation>周囲のサイズへ移り変わる幅（ファイルの単位）。</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>球</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>直方体</translation>
-    </message>
-    <message>
-        <source>Half-space</source>
-        <translation>半空間</translation>
-    </message>
-    <message>
-        <source>Region of the selected handle</source>
-        <translation>選択したハンドルの領域</translation>
-    </message>
-    <message>
-        <source>Cell sizes</source>
-        <translation>セルサイズ</translation>
-    </message>
-    <message>
-        <source>E&amp;dges</source>
-        <translation>辺の長さ(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Soft ed&amp;ge</source>
-        <translation>境界のぼかし(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Change size</source>
-        <translation>サイズを変更</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>領域を変更</translation>
-    </message>
-    <message>
-        <source>Add size region</source>
-        <translation>サイズ領域を追加</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>グラデーション</translation>
-    </message>
-    <message>
-        <source>%1: edges %2</source>
-        <translation>%1：辺 %2</translation>
-    </message>
-    <message>
-        <source>Next stroke</source>
-        <translation>次のストローク</translation>
-    </message>
-    <message>
-        <source>Beneath them: the factors in %1.</source>
-        <translation>その下にあるもの：%1 の倍率。</translation>
-    </message>
-    <message>
-        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
-        <translation>サーフェスの三角形は保たれ、内部だけが変わります。「メッシュ」パネルの「サーフェスを細分化」をオンにすると、三角形も分割されます。</translation>
-    </message>
-    <message>
-        <source>First select a pin that holds a ball, a box or one side.</source>
-        <translation>まず球、ブロック、片側のいずれかをつかむピンを選択してください。</translation>
     </message>
 </context>
 <context>

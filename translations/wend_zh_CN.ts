@@ -6725,10 +6725,6 @@
         <translation>网格</translation>
     </message>
     <message>
-        <source>Sizes</source>
-        <translation>尺寸</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>精细度</translation>
     </message>
@@ -6932,6 +6928,70 @@
     <message>
         <source>Rename region</source>
         <translation>重命名区域</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>添加区域</translation>
+    </message>
+    <message>
+        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
+        <translation>位于中央的球体、长方体或半空间，或所选手柄抓取的区域；之后可更改其数值。</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
+        <translation>尺寸过渡到周围尺寸的宽度，以文件单位计。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>半空间</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>Region of the selected handle</source>
+        <translation>所选手柄的区域</translation>
+    </message>
+    <message>
+        <source>Soft ed&amp;ge</source>
+        <translation>羽化(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>更改区域</translation>
+    </message>
+    <message>
+        <source>Add size region</source>
+        <translation>添加尺寸区域</translation>
+    </message>
+    <message>
+        <source>First select a pin that holds a ball, a box or one side.</source>
+        <translation>请先选择抓取球、块或单侧的图钉。</translation>
+    </message>
+    <message>
+        <source>Beneath them: the factors in %1.</source>
+        <translation>在其之下：%1 中的系数。</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
+        <translation>表面的三角形保持不变，只有内部改变。“网格”面板中的“细分表面”也允许分割它们。</translation>
     </message>
 </context>
 <context>
@@ -7430,121 +7490,6 @@
     <message>
         <source>History</source>
         <translation>历史记录</translation>
-    </message>
-</context>
-<context>
-    <name>wend::SizePanel</name>
-    <message>
-        <source>Length of edges</source>
-        <translation>边长</translation>
-    </message>
-    <message>
-        <source>How long edges are there, compared with elsewhere: 0.5 is half as long, which is finer; 2 is twice as long, which is coarser.</source>
-        <translation>该处的边长，相对于别处：0.5 为一半，更细；2 为两倍，更粗。</translation>
-    </message>
-    <message>
-        <source>Where cells are finer or coarser</source>
-        <translation>单元更细或更粗之处</translation>
-    </message>
-    <message>
-        <source>What the next stroke does, and the strokes and regions so far; where two overlap, the lower one counts. A click shows the numbers, which can be changed.</source>
-        <translation>下一笔的效果，以及已有的笔画和区域；同一处有两个时以下方为准。单击可显示数值并更改。</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>移除</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>添加区域</translation>
-    </message>
-    <message>
-        <source>A ball, a box or a half-space in the middle, or what the selected handle holds as a region; its numbers can then be changed.</source>
-        <translation>位于中央的球体、长方体或半空间，或所选手柄抓取的区域；之后可更改其数值。</translation>
-    </message>
-    <message>
-        <source>Remove sizes</source>
-        <translation>移除尺寸</translation>
-    </message>
-    <message>
-        <source>Removes the chosen stroke or region.</source>
-        <translation>移除所选的笔画或区域。</translation>
-    </message>
-    <message>
-        <source>Soft edge</source>
-        <translation>羽化</translation>
-    </message>
-    <message>
-        <source>Over what width the size blends into that around it, in the file&apos;s units.</source>
-        <translation>尺寸过渡到周围尺寸的宽度，以文件单位计。</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>球体</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>长方体</translation>
-    </message>
-    <message>
-        <source>Half-space</source>
-        <translation>半空间</translation>
-    </message>
-    <message>
-        <source>Region of the selected handle</source>
-        <translation>所选手柄的区域</translation>
-    </message>
-    <message>
-        <source>Cell sizes</source>
-        <translation>单元尺寸</translation>
-    </message>
-    <message>
-        <source>E&amp;dges</source>
-        <translation>边长(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Soft ed&amp;ge</source>
-        <translation>羽化(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Change size</source>
-        <translation>更改尺寸</translation>
-    </message>
-    <message>
-        <source>Change region</source>
-        <translation>更改区域</translation>
-    </message>
-    <message>
-        <source>Add size region</source>
-        <translation>添加尺寸区域</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>渐变</translation>
-    </message>
-    <message>
-        <source>%1: edges %2</source>
-        <translation>%1：边长 %2</translation>
-    </message>
-    <message>
-        <source>Next stroke</source>
-        <translation>下一笔</translation>
-    </message>
-    <message>
-        <source>Beneath them: the factors in %1.</source>
-        <translation>在其之下：%1 中的系数。</translation>
-    </message>
-    <message>
-        <source>The surface&apos;s triangles are kept, and only the inside changes. “Refine surface” in the panel “Mesh” allows them to be split, too.</source>
-        <translation>表面的三角形保持不变，只有内部改变。“网格”面板中的“细分表面”也允许分割它们。</translation>
-    </message>
-    <message>
-        <source>First select a pin that holds a ball, a box or one side.</source>
-        <translation>请先选择抓取球、块或单侧的图钉。</translation>
     </message>
 </context>
 <context>

@@ -230,7 +230,7 @@ Json handlesInfo(const Design& design) {
 void addDesign(Json& json, const Design& design) {
     const std::string name = nameOfPhi(design.material.phi, design.dimension);
     json["phi"] = name.empty() ? Json(design.material.phi) : Json(name);
-    json["regions"] = design.material.regions.size();
+    json["regions"] = std::ranges::distance(regionsOf(design.material.layers));
     json["handles"] = handlesInfo(design);
 }
 

@@ -246,6 +246,7 @@ class Transfer {
     /// Adds a handle of the source, if there is a place for it.
     void add(const Pin& other, int links, std::vector<Pin>& handles) {
         Pin handle = other;
+        handle.id = newId();
         if (handle.traits.link != 0) handle.traits.link += links;
         const auto& parts = m_target.rest.parts;
         if (std::ranges::find(parts, handle.part, &MeshPart::name) == parts.end()) handle.part.clear();

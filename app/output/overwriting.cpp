@@ -97,7 +97,7 @@ std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, 
         for (const PinMotion& motion : handle.motions)
             if (const std::string* file = fileOf(motion.kind)) add(OwnFile::Motion, *file);
     }
-    for (const MaterialRegion& region : own.material.regions)
+    for (const MaterialRegion& region : regionsOf(own.material.layers))
         for (const std::string& file :
              {region.pictures.phi, region.pictures.stiffness, region.pictures.direction})
             add(OwnFile::Material, file);

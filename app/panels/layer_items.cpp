@@ -1,5 +1,6 @@
 #include "app/panels/layer_items.h"
 
+#include <QListWidget>
 #include <QPainter>
 
 #include "app/style/colours.h"
@@ -10,6 +11,7 @@ namespace wend {
 namespace {
 
 constexpr int kLayerSwatch = 12;
+constexpr int kLayerId = Qt::UserRole + 1;
 
 /// Adds a white rim for selected rows.
 QIcon rimmed(const QPixmap& swatch) {
@@ -38,6 +40,14 @@ QIcon graySwatch() {
     gradient.setColorAt(1, Qt::white);
     QPainter(&pixmap).fillRect(pixmap.rect(), gradient);
     return rimmed(pixmap);
+}
+
+void setLayerOf(QListWidgetItem& item, Id layer) {
+    item.setData(kLayerId, static_cast<qulonglong>(layer));
+}
+
+Id layerOf(const QListWidgetItem* item) {
+    return item ? Id{item->data(kLayerId).toULongLong()} : Id::None;
 }
 
 void EyeDelegate::drawCheck(QPainter* painter, const QStyleOptionViewItem& option, const QRect& rect,

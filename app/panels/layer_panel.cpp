@@ -1,10 +1,13 @@
 #include "app/panels/layer_panel.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QToolButton>
+#include <cmath>
 
+#include "app/engine/shape/told_units.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/magnitude_box.h"
@@ -12,13 +15,14 @@
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/stiffness_fields.h"
 #include "app/panels/layer_items.h"
+#include "app/project/domain.h"
+#include "app/project/file/named_files.h"
 
 namespace wend {
 
 namespace {
 
-constexpr int kGroup = Qt::UserRole;      // the name of an item's regions
-constexpr int kCells = Qt::UserRole + 1;  // marks the values per cell
+constexpr int kCells = Qt::UserRole;  // marks the values per cell
 
 bool hasCells(const MaterialSpec& material) {
     return !(material.cellsFile.empty() && material.cellPhi.empty() && material.cellB.empty());
@@ -140,7 +144,7 @@ void LayerPanel::arrange() {
 
 void LayerPanel::connectControls() {
     connect(&m_session.document(), &Document::projectChanged, this, &LayerPanel::showLayers);
-    connect(&m_chosen, &LayerChoice::changed, this, [this] { select(isNameless(), isCells()); });
+    connect(&m_chosen, &LayerChoice::changed, this, [this] { select(m_chosen.now().id, isCells()); });
     connect(&m_session.document(), &Document::opened, this, [this] {
         m_chosen.set({});
         showUnit();
@@ -157,10 +161,10 @@ void LayerPanel::connectControls() {
         },
         Qt::QueuedConnection);
     connect(m_readAgain, &QToolButton::clicked, this, [this] {
-        changeBy(tr("Read pictures again"), withPicturesReread(m_session.document().design(), selected()));
+        changeChosen(tr("Read pictures again"), rereadPictures);
     });
     const auto move = [this](int by) {
-        changeBy(tr("Move layer"), withGroupMoved(m_session.document().design(), selected(), by));
+        change(tr("Move layer"), withLayerMoved(layers(), selected(), by));
     };
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
@@ -168,8 +172,7 @@ void LayerPanel::connectControls() {
     connect(m_takeAway, &QAction::triggered, this, &LayerPanel::remove);
     connect(m_rename, &QAction::triggered, this, [this] { m_list->editItem(m_list->currentItem()); });
     connect(m_merge, &QAction::triggered, this, [this] {
-        if (auto next = withGroupMergedDown(m_session.document().design(), selected()))
-            changeBy(tr("Merge layers"), *std::move(next));
+        if (auto next = withLayerMergedDown(layers(), selected())) change(tr("Merge layers"), *std::move(next));
     });
     const auto changeMaterial = [this] { changePaint(); };
     connect(m_hasPhi, &QCheckBox::clicked, this, changeMaterial);
@@ -181,8 +184,9 @@ void LayerPanel::connectControls() {
             changeMaterial();
         });
     connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
-        changeBy(tr("Change soft edge"), withGroupFeather(m_session.document().design(), selected(), feather),
-                 QStringLiteral("feather ") + QString::fromStdString(selected()));
+        changeChosen(
+            tr("Change soft edge"), [&](MaterialLayer& layer) { setLayerFeather(layer, feather); },
+            QStringLiteral("feather %1").arg(qulonglong(selected())));
     });
 }
 
@@ -192,20 +196,16 @@ void LayerPanel::setPictureMenu(QMenu* menu) {
 
 /// Applies a changed name or visibility.
 void LayerPanel::takeItem(QListWidgetItem* item) {
-    const Design& design = m_session.document().design();
-    const std::string before = item->data(kGroup).toString().toStdString();
+    const Id id = layerOf(item);
+    const MaterialLayer* layer = layerOf(layers(), id);
+    if (!layer) return showLayers();
     const std::string wish = item->text().trimmed().toStdString();
     const bool hidden = item->checkState() == Qt::Unchecked;
-    if (hidden != isGroupHidden(design, before))
-        return changeBy(hidden ? tr("Hide layer") : tr("Show layer"),
-                        withGroupHidden(design, before, hidden));
-    if (wish.empty() || wish == before) return showLayers();
-    const std::string name = freeGroupName(design, before, wish);
-    const QSignalBlocker quiet(m_list);
-    item->setData(kGroup, QString::fromStdString(name));  // it stays the chosen one
-    if (m_chosen.now().name == before) m_chosen.set({name, m_chosen.now().aim});
-    if (m_pointed == before) m_pointed = name;
-    changeBy(tr("Rename layer"), withGroupName(design, before, name));
+    if (hidden != layer->isHidden())
+        return change(hidden ? tr("Hide layer") : tr("Show layer"),
+                      withLayer(layers(), id, [&](MaterialLayer& one) { setLayerHidden(one, hidden); }));
+    if (wish.empty() || wish == layer->name) return showLayers();
+    change(tr("Rename layer"), withLayerName(layers(), id, wish));
 }
 
 /// Moves a layer. The list shows the topmost first. Values given per cell stay at the bottom.
@@ -213,28 +213,41 @@ void LayerPanel::takeOrder(int from, int to) {
     if (m_session.document().isEmpty() || to >= m_list->count()) return;
     const QListWidgetItem* moved = m_list->item(to);
     if (moved->data(kCells).toBool()) return showLayers();
-    changeBy(tr("Move layer"), withGroupMoved(m_session.document().design(),
-                                              moved->data(kGroup).toString().toStdString(), from - to));
+    change(tr("Move layer"), withLayerMoved(layers(), layerOf(moved), from - to));
     showLayers();
 }
 
 void LayerPanel::remove() {
-    const Design& design = m_session.document().design();
-    changeBy(tr("Remove layer"), isCells() ? withoutCells(design) : withoutGroup(design, selected()));
+    Document& document = m_session.document();
+    if (isCells())
+        document.changeDesign(tr("Remove layer"), withoutCells(document.design()));
+    else
+        change(tr("Remove layer"), withoutLayer(layers(), selected()));
+}
+
+const std::vector<MaterialLayer>& LayerPanel::layers() const {
+    return m_session.document().design().material.layers;
 }
 
 bool LayerPanel::isCells() const {
     return m_list->currentItem() && m_list->currentItem()->data(kCells).toBool();
 }
 
-std::string LayerPanel::selected() const {
-    const QListWidgetItem* item = m_list->currentItem();
-    return item ? item->data(kGroup).toString().toStdString() : std::string();
+Id LayerPanel::selected() const {
+    return layerOf(m_list->currentItem());
 }
 
-void LayerPanel::changeBy(const QString& step, Design next, const QString& key) {
-    if (m_session.document().isEmpty()) return;
-    m_session.document().changeDesign(step, std::move(next), key);
+void LayerPanel::change(const QString& step, std::vector<MaterialLayer> next, const QString& key) {
+    Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    Design design = document.design();
+    design.material.layers = std::move(next);
+    document.changeDesign(step, std::move(design), key);
+}
+
+template <class Change>
+void LayerPanel::changeChosen(const QString& step, const Change& change, const QString& key) {
+    if (!m_session.document().isEmpty()) this->change(step, withLayer(layers(), selected(), change), key);
 }
 
 void LayerPanel::showValues() {
@@ -246,7 +259,7 @@ void LayerPanel::showValues() {
         button->setVisible(m_list->count() > 0);
         allow(button, has, chooseFirst());
     }
-    if (has) showGroup();
+    if (const MaterialLayer* layer = has ? layerOf(layers(), selected()) : nullptr) showLayer(*layer);
     if (isCells()) showCells();
     allowOrder(has);
     tellChosen();
@@ -266,15 +279,14 @@ void LayerPanel::allowOrder(bool has) {
     allow(m_up, m_list->currentRow() > 0 && !isCells(),
           isCells() ? stays : tr("This is already the topmost layer."));
     allow(m_down, below && !onCells, why(lowest));
-    const bool merges = !isCells() && withGroupMergedDown(m_session.document().design(), selected());
+    const bool merges = !isCells() && withLayerMergedDown(layers(), selected());
     allow(m_merge, merges,
           why(below ? tr("One of the two is switched off, is a picture, or erases.")
                     : tr("There is no layer below it.")));
 }
 
 void LayerPanel::tellChosen() {
-    const bool has = m_list->currentItem() && isVisible() && m_pointed == selected();
-    emit chosen(has ? m_list->currentItem()->data(kGroup).toString() : QString());
+    emit chosen(isVisible() && m_pointed == selected() ? selected() : Id::None);
 }
 
 void LayerPanel::showEvent(QShowEvent* event) {
@@ -289,25 +301,24 @@ void LayerPanel::hideEvent(QHideEvent* event) {
 
 void LayerPanel::fill() {
     const Design& design = m_session.document().design();
-    const auto groups = regionGroups(design);
     int row = 0;
-    for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
-        const QString name = QString::fromStdString(group->name);
+    for (const MaterialLayer& layer : layers() | std::views::reverse) {
+        const LayerValues values = valuesOf(layer);
         QListWidgetItem* item = itemAt(row++);
-        item->setIcon(group->pictures.any() ? graySwatch()
-                                            : layerSwatch(group->paint, m_session.document().dimension()));
-        item->setText(name.isEmpty() ? tr("Unnamed") : name);
-        item->setData(kGroup, name);
+        item->setIcon(values.pictures.any() ? graySwatch()
+                                            : layerSwatch(values.paint, m_session.document().dimension()));
+        item->setText(layer.name.empty() ? tr("Unnamed") : QString::fromStdString(layer.name));
+        setLayerOf(*item, layer.id);
         item->setData(kCells, false);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemIsEditable |
                        Qt::ItemIsUserCheckable);
-        item->setCheckState(group->hidden ? Qt::Unchecked : Qt::Checked);
+        item->setCheckState(layer.isHidden() ? Qt::Unchecked : Qt::Checked);
     }
     if (hasCells(design.material)) {
         QListWidgetItem* cells = itemAt(row++);
         cells->setIcon(graySwatch());
         cells->setText(tr("Values of cells"));
-        cells->setData(kGroup, {});
+        setLayerOf(*cells, Id::None);
         cells->setData(kCells, true);
         cells->setData(Qt::CheckStateRole, {});
         cells->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
@@ -322,29 +333,23 @@ QListWidgetItem* LayerPanel::itemAt(int row) {
 }
 
 void LayerPanel::showLayers() {
-    const bool nameless = isNameless(), cells = isCells();
+    const bool cells = isCells();
     {
         const QSignalBlocker quiet(m_list);
         m_session.document().isEmpty() ? m_list->clear() : fill();
     }
-    select(nameless, cells);
+    select(m_chosen.now().id, cells);
 }
 
-/// Unnamed layers and values per cell can be chosen only here.
-bool LayerPanel::isNameless() const {
-    return m_list->currentItem() && selected().empty();
-}
-
-/// Selects the layer that was chosen elsewhere, or the unnamed one; nothing if it no longer exists.
-void LayerPanel::select(bool nameless, bool cells) {
-    const std::string name = m_chosen.now().name;
+/// Selects the layer that was chosen here or elsewhere, or the values of cells, which can be chosen only
+/// here; nothing if it no longer exists.
+void LayerPanel::select(Id layer, bool cells) {
     int row = -1;
     for (int i = 0; i < m_list->count(); ++i) {
         const QListWidgetItem* item = m_list->item(i);
-        const bool isOne = item->data(kGroup).toString().toStdString() == name;
-        if (isOne && (name.empty() ? nameless && item->data(kCells).toBool() == cells : true)) row = i;
+        if (layer == Id::None ? cells && item->data(kCells).toBool() : layerOf(item) == layer) row = i;
     }
-    if (row < 0 && !name.empty()) return m_chosen.set({});
+    if (row < 0 && layer != Id::None) return m_chosen.set({});
     {
         const QSignalBlocker quiet(m_list);
         m_list->setCurrentRow(row);
@@ -354,12 +359,94 @@ void LayerPanel::select(bool nameless, bool cells) {
 
 /// Outline the layer only if the user clicked it, not after a stroke.
 void LayerPanel::choose() {
-    m_pointed = m_list->currentItem() ? std::optional(selected()) : std::nullopt;
-    const bool nameless = isNameless(), cells = isCells();
-    if (m_chosen.now().name == selected()) return select(nameless, cells);
+    m_pointed = selected();
+    const bool cells = isCells();
+    if (m_chosen.now().id == m_pointed) return select(m_pointed, cells);
     const QSignalBlocker quiet(m_chosen);
-    m_chosen.set({selected()});
-    select(nameless, cells);
+    m_chosen.set({m_pointed});
+    select(m_pointed, cells);
+}
+
+// --- Values of the chosen layer ---
+
+/// A change that would empty the layer is ignored.
+void LayerPanel::changePaint() {
+    MaterialPaint paint;
+    if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
+    Vec3 axis = Vec3::Zero();
+    for (int k = 0; k < m_session.document().dimension(); ++k) axis[k] = m_axis[k]->exact();
+    if (axis.isZero(0)) axis = Vec3::UnitX();
+    if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // unit vectors keep their bits
+    if (m_ratio->exact() != 1) paint.stiffness = Stiffness{axis, m_ratio->exact()};
+    if (!paint.phi && !paint.stiffness) return showValues();
+    m_phi->setEnabled(paint.phi.has_value());
+    changeChosen(
+        tr("Change layer"), [&](MaterialLayer& layer) { setLayerPaint(layer, paint, m_ownAxes); },
+        QStringLiteral("layer %1").arg(qulonglong(selected())));
+}
+
+void LayerPanel::showLayer(const MaterialLayer& layer) {
+    const LayerValues values = valuesOf(layer);
+    const std::optional<double>& phi = values.paint.phi;
+    const double ratio = values.paint.stiffness ? values.paint.stiffness->ratio : 1;
+    const int dimension = m_session.document().dimension();
+    m_phi->setDimension(dimension);
+    m_hasPhi->setChecked(phi.has_value());
+    m_phi->setEnabled(phi.has_value());
+    if (phi) m_phi->setPhi(*phi);
+    m_ratio->put(ratio);
+    allowDirection(ratio != 1);
+    m_ownAxes = !values.oneAxis;
+    m_axisNote->setVisible(m_ownAxes);
+    const Vec3 axis = values.axis.value_or(Vec3::UnitX());
+    for (int k = 0; k < 3; ++k) m_axis[k]->setVisible(k < dimension);
+    for (int k = 0; k < dimension; ++k) m_axis[k]->put(axis[k]);
+    m_feather->put(values.feather);
+    showPictures(values.pictures);
+}
+
+void LayerPanel::allowDirection(bool isStiff) {
+    for (ExactBox* box : m_axis) {
+        box->setEnabled(isStiff);
+        describe(box, tr("Stiff direction"),
+                 isStiff ? tr("At rest; it turns with the shape. A change is for all regions of the layer.")
+                         : tr("Stiffness ×1 has no direction: first choose how many times stiffer it is."));
+    }
+}
+
+/// Shows the unit of a picture, or of a mesh file.
+void LayerPanel::showUnit() {
+    const Document& document = m_session.document();
+    if (document.isEmpty()) return;
+    const Domain& domain = document.domain();
+    const QString unit = QString::fromStdString(
+        domain.kind == DomainKind::Image ? "px"
+                                         : toldUnits(pathIn(document.folder().toStdString(), domain.path)));
+    m_feather->setSuffix(unit.isEmpty() ? unit : ' ' + unit);
+}
+
+void LayerPanel::showPictures(const MaterialPictures& pictures) {
+    QStringList lines;
+    for (const auto& [text, file] : {std::pair{tr("Keep: %1"), pictures.phi},
+                                     {tr("Stiffness: %1"), pictures.stiffness},
+                                     {tr("Direction: %1"), pictures.direction}})
+        if (!file.empty()) lines << text.arg(QFileInfo(QString::fromStdString(file)).fileName());
+    m_files->setText(lines.join('\n'));
+    m_paint->setVisible(lines.isEmpty());
+    m_pictures->setVisible(!lines.isEmpty());
+    m_readAgain->show();
+    m_featherRow->show();
+}
+
+void LayerPanel::showCells() {
+    const std::string& file = m_session.document().design().material.cellsFile;
+    m_files->setText(file.empty()
+                         ? tr("As the project's file says, cell by cell.")
+                         : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));
+    m_paint->hide();
+    m_pictures->show();
+    m_readAgain->hide();
+    m_featherRow->hide();
 }
 
 }  // namespace wend

@@ -32,8 +32,8 @@ class LayerPanel : public QWidget {
     void setPictureMenu(QMenu* menu);
 
   signals:
-    /// Emitted when the user chooses a layer, with its name; null for none, or while the panel is hidden.
-    void chosen(QString name);
+    /// Emitted when the user chooses a layer; Id::None for none, or while the panel is hidden.
+    void chosen(wend::Id layer);
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -45,8 +45,7 @@ class LayerPanel : public QWidget {
     void arrange();
     void connectControls();
     void showLayers();
-    bool isNameless() const;
-    void select(bool nameless, bool cells);
+    void select(Id layer, bool cells);
     void choose();
     void showValues();
     void allowOrder(bool has);
@@ -60,15 +59,18 @@ class LayerPanel : public QWidget {
     bool isCells() const;
     QListWidgetItem* itemAt(int row);
     void fill();
-    void showGroup();
+    void showLayer(const MaterialLayer& layer);
     void changePaint();
-    void changeBy(const QString& step, Design next, const QString& key = {});
-    std::string selected() const;
+    void change(const QString& step, std::vector<MaterialLayer> next, const QString& key = {});
+    template <class Change>
+    void changeChosen(const QString& step, const Change& change, const QString& key = {});
+    const std::vector<MaterialLayer>& layers() const;
+    Id selected() const;
     void tellChosen();
 
     ShapeSession& m_session;
     LayerChoice& m_chosen;
-    std::optional<std::string> m_pointed;  // the clicked layer, whose border is shown
+    Id m_pointed = Id::None;  // the clicked layer, whose border is shown
     QListWidget* m_list;
     QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
     QAction *m_rename, *m_merge, *m_takeAway;

@@ -1,15 +1,22 @@
 #include "app/panels/region_list.h"
 
+#include <QFileInfo>
 #include <QItemDelegate>
 #include <QListWidget>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/magnitude_box.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/panels/fields/region_numbers.h"
+#include "app/panels/layer_items.h"
+#include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
+#include "app/project/edits/layer_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/project/options/options.h"
 
 namespace wend {
@@ -18,6 +25,7 @@ namespace {
 
 constexpr int kValue = Qt::UserRole;  // of an item, in words
 constexpr double kPercent = 100;
+constexpr double kReach = 0.15;  // of a new region, relative to the diagonal
 
 /// A name at the left, which can be changed, and a value at the right.
 class ValueDelegate : public QItemDelegate {
@@ -36,9 +44,10 @@ class ValueDelegate : public QItemDelegate {
 
 }  // namespace
 
-RegionList::RegionList(ShapeSession& session, RegionsOf of, QWidget* parent)
+RegionList::RegionList(ShapeSession& session, Brush& brush, RegionsOf of, QWidget* parent)
     : QWidget(parent),
       m_session(session),
+      m_brush(brush),
       m_of(of),
       m_none(secondLabel(
           isDetail() ? tr("The mesh is equally fine everywhere: brush over what should be finer or coarser.")
@@ -46,11 +55,17 @@ RegionList::RegionList(ShapeSession& session, RegionsOf of, QWidget* parent)
           this)),
       m_list(new QListWidget(this)),
       m_value(new ExactBox(this)),
-      m_remove(new QToolButton(this)) {
+      m_add(new QToolButton(this)),
+      m_remove(new QToolButton(this)),
+      m_shape(new QWidget(this)),
+      m_numbers(new RegionNumbers(RegionNumbers::Radius::Here, m_shape)),
+      m_feather(new MagnitudeBox(m_shape)),
+      m_note(secondLabel({}, this)) {
     makeControls();
+    makeAddMenu();
     arrange();
     connectControls();
-    showRegions();
+    showLayers();
 }
 
 void RegionList::makeControls() {
@@ -75,63 +90,132 @@ void RegionList::makeControls() {
                  : tr("Greater than 0 lies in front, less than 0 behind."));
     m_remove->setObjectName(id + QStringLiteral("Remove"));
     m_remove->setText(tr("Remove"));
-    m_remove->setProperty("role", "chip");
     describe(m_remove, tr("Remove"), tr("Removes the chosen region."));
+    m_add->setObjectName(id + QStringLiteral("Add"));
+    m_add->setText(tr("Add"));
+    m_add->setPopupMode(QToolButton::InstantPopup);
+    describe(m_add, tr("Add region"),
+             tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
+                "its numbers can then be changed."));
+    for (QToolButton* button : {m_add, m_remove}) button->setProperty("role", "chip");
+    m_feather->setRange(0, 1e9);
+    m_feather->setObjectName(id + QStringLiteral("Feather"));
+    describe(m_feather, tr("Soft edge"),
+             tr("Over what width the size blends into that around it, in the file's units."));
+}
+
+void RegionList::makeAddMenu() {
+    auto* menu = new QMenu(m_add);
+    const auto entry = [&](const QString& text, auto shapeOf) {
+        return menu->addAction(text, this, [this, shapeOf] {
+            if (m_session.frame<3>()) addRegion(shapeOf());
+        });
+    };
+    const auto reach = [this] { return kReach * m_session.frame()->diagonal; };
+    entry(tr("Ball"), [=, this] { return Ball<3>{middle(), reach()}; });
+    entry(tr("Box"), [=, this] {
+        return Box<3>{middle().array() - reach(), middle().array() + reach()};
+    });
+    entry(tr("Half-space"), [=, this] { return HalfSpace<3>{middle(), Vec3::UnitX()}; });
+    m_addSelected = entry(tr("Region of the selected handle"), [this] { return *selectedRegion(); });
+    menu->setToolTipsVisible(true);
+    m_add->setMenu(menu);
 }
 
 void RegionList::arrange() {
     auto* layout = sectionColumn(this);
     QLabel* title = panelTitle(isDetail() ? tr("Finer and coarser") : tr("In front and behind"), this);
-    layout->addLayout(sideBySide({title, nullptr, m_remove}));
+    layout->addLayout(sideBySide({title, nullptr, m_add, m_remove}));
     layout->addWidget(m_none);
     layout->addWidget(m_list);
     layout->addWidget(m_row = panelRowIn(isDetail() ? tr("E&dges") : tr("O&rder"), m_value, this));
+    auto* shape = bareColumn(m_shape, 10);
+    shape->addWidget(m_numbers);
+    shape->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_shape));
+    layout->addWidget(m_shape);
+    layout->addWidget(m_note);
 }
 
 void RegionList::connectControls() {
-    connect(&m_session.document(), &Document::projectChanged, this, &RegionList::showRegions);
+    connect(&m_session.document(), &Document::projectChanged, this, &RegionList::showLayers);
+    connect(&m_session, &ShapeSession::pinsChanged, this, &RegionList::allowSelected);
     connect(m_list, &QListWidget::currentRowChanged, this, &RegionList::showChosen);
     connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
     connect(m_value, &QDoubleSpinBox::valueChanged, this, [this] {
         const double value = m_value->exact() / (isDetail() ? kPercent : 1);
-        change(
-            isDetail() ? tr("Change edges") : tr("Change order"),
-            [&](const auto& all) { return withRegionsValue(all, group(), value); },
-            QStringLiteral("regions %1 %2").arg(static_cast<int>(m_of)).arg(group()));
+        change(isDetail() ? tr("Change edges") : tr("Change order"),
+               withLayer(layers(), chosenId(), [&](ValueLayer& layer) { layer.value = value; }),
+               QStringLiteral("layer value %1").arg(qulonglong(chosenId())));
     });
-    connect(m_remove, &QToolButton::clicked, this, [this] {
-        change(tr("Remove region"), [this](const auto& all) { return withoutRegions(all, group()); });
+    connect(m_remove, &QToolButton::clicked, this,
+            [this] { change(tr("Remove region"), withoutLayer(layers(), chosenId())); });
+    connect(m_numbers, &RegionNumbers::changed, this,
+            [this](const Region<3>& shape) { changeShape(shape, m_feather->value()); });
+    connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
+        if (const ValueLayer* own = layer()) changeShape(own->regions.front().shape, feather);
     });
 }
 
-template <class Edit>
-void RegionList::change(const QString& step, const Edit& edit, const QString& key) {
+void RegionList::change(const QString& step, ValueLayers layers, const QString& key) {
     Document& document = m_session.document();
-    if (!isDetail()) return document.changeDepth(step, edit(document.depth()), key);
-    Domain next = document.domain();
-    next.sizes = edit(next.sizes);
-    document.changeDomain(step, std::move(next), key);
+    isDetail() ? document.changeSizes(step, std::move(layers), key)
+               : document.changeDepth(step, std::move(layers), key);
 }
 
-/// Pictures have them.
-std::vector<NamedRegions> RegionList::groups() const {
+/// Consecutive numbers merge into one undo step.
+void RegionList::changeShape(const Region<3>& shape, double feather) {
+    change(tr("Change region"), withLayer(layers(), chosenId(), [&](ValueLayer& layer) {
+               layer.regions.front().shape = shape;
+               layer.regions.front().feather = feather;
+           }),
+           QStringLiteral("layer shape %1").arg(qulonglong(chosenId())));
+}
+
+void RegionList::addRegion(const Region<3>& shape) {
+    change(tr("Add size region"), withSizeRegion(layers(), shape, m_brush.edges().now()));
+    m_list->setCurrentRow(0);
+}
+
+/// Returns the region that the single selected handle holds; null if it holds none.
+const Region<3>* RegionList::selectedRegion() const {
+    const int handle = m_session.singleHandle();
+    return handle < 0 ? nullptr
+                      : std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
+}
+
+void RegionList::allowSelected() {
+    allow(m_addSelected, isSolid() && selectedRegion(),
+          tr("First select a pin that holds a ball, a box or one side."));
+}
+
+const ValueLayers& RegionList::layers() const {
+    static const ValueLayers none;
     const Document& document = m_session.document();
-    if (document.dimension() != 2) return {};
-    return isDetail() ? namedRegions(document.domain().sizes) : namedRegions(document.depth());
+    if (document.isEmpty()) return none;
+    return isDetail() ? document.domain().sizes : document.depth();
 }
 
-/// The place in groups(), which has the topmost last; −1: none is chosen.
-int RegionList::group() const {
-    return m_list->currentRow() < 0 ? -1 : m_list->count() - 1 - m_list->currentRow();
+Id RegionList::chosenId() const {
+    return layerOf(m_list->currentItem());
 }
 
-QString RegionList::nameOf(const NamedRegions& group) const {
-    if (!group.name.empty()) return QString::fromStdString(group.name);
-    const Region<3>& shape = group.regions.front().shape;
-    return std::holds_alternative<Ball<3>>(shape)        ? tr("Circle")
-           : std::holds_alternative<Box<3>>(shape)       ? tr("Rectangle")
-           : std::holds_alternative<HalfSpace<3>>(shape) ? tr("One side")
-                                                         : tr("Outline");
+/// Returns the chosen layer; null if there is none.
+const ValueLayer* RegionList::layer() const {
+    return layerOf(layers(), chosenId());
+}
+
+Vec3 RegionList::middle() const {
+    const Points<3>& rest = m_session.frame<3>()->rest->points;
+    return (rest.rowwise().minCoeff() + rest.rowwise().maxCoeff()) / 2;
+}
+
+QString RegionList::nameOf(const ValueLayer& layer) const {
+    if (!layer.name.empty()) return QString::fromStdString(layer.name);
+    const Region<3>& shape = layer.regions.front().shape;
+    if (std::holds_alternative<Ball<3>>(shape)) return isSolid() ? tr("Ball") : tr("Circle");
+    if (std::holds_alternative<Box<3>>(shape)) return isSolid() ? tr("Box") : tr("Rectangle");
+    if (std::holds_alternative<HalfSpace<3>>(shape)) return isSolid() ? tr("Half-space") : tr("One side");
+    return std::holds_alternative<Polygon>(shape) ? tr("Outline") : tr("Blend");
 }
 
 QString RegionList::valueText(double value) const {
@@ -140,70 +224,90 @@ QString RegionList::valueText(double value) const {
                       : locale.toString(value, 'g', 3);
 }
 
-/// Selects a new region, so that its number can be edited at once; otherwise the selection keeps its index.
-void RegionList::showRegions() {
-    const auto all = groups();
+/// Selects a new layer, so that its value can be edited at once; otherwise the selection stays.
+void RegionList::showLayers() {
     {
         const QSignalBlocker quiet(m_list);
-        const int count = static_cast<int>(all.size());
-        QStringList before;
-        for (int row = 0; row < m_list->count(); ++row) before << m_list->item(row)->text();
-        const bool oneMore = isVisible() && count == before.size() + 1;
-        const int chosen = group() < 0 ? -1 : count - 1 - group();
-        const QString name = group() < 0 ? QString() : m_list->currentItem()->text();
+        std::vector<Id> before;
+        for (int row = 0; row < m_list->count(); ++row) before.push_back(layerOf(m_list->item(row)));
+        const bool oneMore = isVisible() && layers().size() == before.size() + 1;
+        Id chosen = chosenId();
         m_list->clear();
-        int fresh = -1;
-        for (auto group = all.rbegin(); group != all.rend(); ++group) {
-            auto* item = new QListWidgetItem(nameOf(*group), m_list);
+        for (const ValueLayer& layer : layers() | std::views::reverse) {
+            auto* item = new QListWidgetItem(nameOf(layer), m_list);
             item->setFlags(item->flags() | Qt::ItemIsEditable);
-            item->setData(kValue, valueText(group->value));
-            item->setData(Qt::AccessibleDescriptionRole, valueText(group->value));
-            if (oneMore && fresh < 0 && !before.contains(item->text())) fresh = m_list->row(item);
+            setLayerOf(*item, layer.id);
+            item->setData(kValue, valueText(layer.value));
+            item->setData(Qt::AccessibleDescriptionRole, valueText(layer.value));
+            if (oneMore && std::ranges::find(before, layer.id) == before.end()) chosen = layer.id;
         }
-        const QListWidgetItem* same = m_list->item(chosen);
-        m_list->setCurrentRow(fresh >= 0 ? fresh : same && same->text() == name ? chosen : -1);
+        for (int row = 0; row < m_list->count(); ++row)
+            if (layerOf(m_list->item(row)) == chosen) m_list->setCurrentRow(row);
     }
-    m_list->setVisible(!all.empty());
-    m_row->setVisible(!all.empty());
-    m_remove->setVisible(!all.empty());
-    m_none->setVisible(all.empty());
+    const bool any = !layers().empty();
+    for (QWidget* part : {static_cast<QWidget*>(m_list), m_row, static_cast<QWidget*>(m_remove)})
+        part->setVisible(any);
+    m_none->setVisible(!any);
+    m_add->setVisible(isDetail() && isSolid());
+    showNotes();
+    allowSelected();
     showChosen();
 }
 
+/// Says of a solid what else decides about its sizes.
+void RegionList::showNotes() {
+    QStringList notes;
+    if (isDetail() && isSolid()) {
+        const Domain& domain = m_session.document().domain();
+        if (!domain.sizesFile.empty())
+            notes << tr("Beneath them: the factors in %1.")
+                         .arg(QFileInfo(QString::fromStdString(domain.sizesFile)).fileName());
+        if (!domain.refineSurface)
+            notes << tr(
+                "The surface's triangles are kept, and only the inside changes. “Refine surface” in the panel "
+                "“Mesh” allows them to be split, too.");
+    }
+    m_note->setText(notes.join(QLatin1Char('\n')));
+    m_note->setVisible(!notes.isEmpty());
+}
+
 void RegionList::showChosen() {
-    const bool has = group() >= 0;
-    m_row->setEnabled(has);
-    allow(m_remove, has, chooseFirst());
-    if (has)
-        m_value->put((isDetail() ? kPercent : 1) * groups()[group()].value);
-    else
-        m_value->clear();
+    const ValueLayer* own = layer();
+    m_row->setEnabled(own);
+    allow(m_remove, own, chooseFirst());
+    own ? m_value->put((isDetail() ? kPercent : 1) * own->value) : m_value->clear();
+    const SoftRegion* one = own && own->regions.size() == 1 ? &own->regions.front() : nullptr;
+    const bool hasNumbers = isSolid() && one && RegionNumbers::canShow(one->shape);
+    m_shape->setVisible(hasNumbers);
+    if (hasNumbers) {
+        const QSignalBlocker quiet(m_feather);
+        m_numbers->showRegion(one->shape, m_session.frame() ? m_session.frame()->diagonal : 1);
+        m_feather->setValue(one->feather);
+    }
     tellChosen();
 }
 
 /// The list is in the middle of the change.
 void RegionList::rename(QListWidgetItem* item) {
-    const int place = m_list->count() - 1 - m_list->row(item);
+    const Id id = layerOf(item);
     const std::string wish = item->text().trimmed().toStdString();
     QMetaObject::invokeMethod(
         this,
-        [this, place, wish] {
-            const auto all = groups();
-            if (place >= static_cast<int>(all.size())) return;
-            if (wish.empty() || wish == all[place].name) return showRegions();
-            Document& document = m_session.document();
+        [this, id, wish] {
+            const ValueLayer* own = layerOf(layers(), id);
+            if (!own) return;
+            if (wish.empty() || wish == own->name) return showLayers();
             if (isDetail())
-                change(tr("Rename region"),
-                       [&](const auto& regions) { return withRegionsName(regions, place, wish); });
+                change(tr("Rename region"), withLayerName(layers(), id, wish));
             else
-                renameDepth(document, tr("Rename region"), place, wish);
+                renameDepth(m_session.document(), tr("Rename region"), id, wish);
         },
         Qt::QueuedConnection);
 }
 
 void RegionList::tellChosen() {
-    const bool has = group() >= 0 && isVisible();
-    emit chosen(has ? groups()[group()].regions : std::vector<MaterialRegion>());
+    const ValueLayer* own = isVisible() ? layer() : nullptr;
+    emit chosen(own ? own->regions : std::vector<SoftRegion>());
 }
 
 void RegionList::showEvent(QShowEvent* event) {

@@ -2,7 +2,8 @@
 
 #include <QWidget>
 
-#include "app/project/edits/region_edits.h"
+#include "app/project/layer.h"
+#include "app/session/brush.h"
 #include "app/session/shape_session.h"
 
 class QLabel;
@@ -13,22 +14,24 @@ class QToolButton;
 namespace wend {
 
 class ExactBox;
+class MagnitudeBox;
+class RegionNumbers;
 
-/// The kinds of listed regions of a picture: cell size and depth.
+/// The kinds of listed layers: cell size, and in pictures depth.
 enum class RegionsOf { Detail, Depth };
 
-/// The regions of one kind in a picture, topmost first like layers: a click shows a region's place and its
-/// number, which can be edited; a double click renames it.
+/// The layers of one kind, topmost first: a click shows where a layer is and its value, which can be edited;
+/// a double click renames it. In a solid, regions can be added and edited in numbers.
 class RegionList : public QWidget {
     Q_OBJECT
 
   public:
-    RegionList(ShapeSession& session, RegionsOf of, QWidget* parent = nullptr);
+    RegionList(ShapeSession& session, Brush& brush, RegionsOf of, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
 
   signals:
-    /// Emits the shapes of the chosen regions; empty if none is chosen or the list is hidden.
-    void chosen(const std::vector<wend::MaterialRegion>& regions);
+    /// Emits the regions of the chosen layer; none if there is none or the list is hidden.
+    void chosen(const std::vector<wend::SoftRegion>& regions);
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -36,27 +39,41 @@ class RegionList : public QWidget {
 
   private:
     bool isDetail() const { return m_of == RegionsOf::Detail; }
+    bool isSolid() const { return m_session.document().dimension() == 3; }
     void makeControls();
+    void makeAddMenu();
     void arrange();
     void connectControls();
-    void showRegions();
+    void showLayers();
+    void showNotes();
     void showChosen();
     void tellChosen();
     void rename(QListWidgetItem* item);
-    template <class Edit>
-    void change(const QString& step, const Edit& edit, const QString& key = {});
-    std::vector<NamedRegions> groups() const;
-    QString nameOf(const NamedRegions& group) const;
+    void changeShape(const Region<3>& shape, double feather);
+    void addRegion(const Region<3>& shape);
+    void change(const QString& step, ValueLayers layers, const QString& key = {});
+    const ValueLayers& layers() const;
+    const ValueLayer* layer() const;
+    Id chosenId() const;
+    QString nameOf(const ValueLayer& layer) const;
     QString valueText(double value) const;
-    int group() const;
+    const Region<3>* selectedRegion() const;
+    void allowSelected();
+    Vec3 middle() const;
 
     ShapeSession& m_session;
+    Brush& m_brush;
     const RegionsOf m_of;
     QLabel* m_none;
     QListWidget* m_list;
     QWidget* m_row = nullptr;  // of the value
     ExactBox* m_value;
-    QToolButton* m_remove;
+    QToolButton *m_add, *m_remove;
+    QAction* m_addSelected = nullptr;
+    QWidget* m_shape;  // of a layer that is one region of a solid
+    RegionNumbers* m_numbers;
+    MagnitudeBox* m_feather;
+    QLabel* m_note;
 };
 
 }  // namespace wend

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/project/layer.h"
 #include "app/project/pin.h"
 #include "core/energy/material.h"
 #include "core/mesh/region.h"
@@ -33,26 +35,32 @@ struct MaterialPictures {
     bool operator==(const MaterialPictures&) const = default;
 };
 
-struct MaterialRegion {
-    std::string name;
-    Region<3> shape;
-    double feather = 0;
-    std::optional<double> phi;
-    std::optional<Stiffness> stiffness;
+struct MaterialRegion : SoftRegion {
+    std::optional<double> phi = {};
+    std::optional<Stiffness> stiffness = {};
     MaterialPictures pictures = {};  // in the plane only, instead of phi and stiffness; they fill a box
     bool hidden = false;             // changes nothing, as if it were not there
     double leaves = 1;               // less than 1: an eraser, which leaves this part of its layer's paint
-    std::string part = {};           // of a picture, that alone is changed; empty: whatever lies there
-    Extras extras = {};
 
     bool erases() const { return leaves < 1; }
+};
+
+/// Regions of the material that were painted together: in a file consecutive regions of one name. An eraser
+/// takes paint from its own layer.
+struct MaterialLayer {
+    std::string name;  // may be empty
+    std::vector<MaterialRegion> regions;
+    Id id = newId();
+
+    bool isHidden() const { return std::ranges::any_of(regions, &MaterialRegion::hidden); }
+    bool erases() const { return std::ranges::any_of(regions, &MaterialRegion::erases); }
 };
 
 struct MaterialSpec {
     double phi = phi::kMetr;
     Smoothing smoothing;
     double memory = 0;                    // ρ
-    std::vector<MaterialRegion> regions;  // later ones win
+    std::vector<MaterialLayer> layers;    // later ones win
     std::vector<double> cellPhi;          // material.cells, if given
     std::vector<Mat<3>> cellB;
     std::string cellsFile;         // where material.cells names a file

@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/project/extras.h"
+#include "app/project/layer.h"
 #include "app/project/part.h"
-#include "core/mesh/region.h"
 #include "core/meshing/outline.h"
 #include "core/meshing/shell_spaces.h"
 #include "core/meshing/surface_fixes.h"
@@ -23,17 +22,6 @@ enum class Fit { Automatic, Exact, Cage };
 /// Selects whether the border of a picture moves with the rest of it, is fixed, or slides along the sides of
 /// the frame.
 enum class Border { Free, Fixed, Slide };
-
-/// A region where cells are finer or coarser than elsewhere.
-struct SizeRegion {
-    std::string name;  // regions of one name were painted together; may be empty
-    Region<3> shape;
-    double feather = 0;
-    double factor = 1;  // of the length of edges
-    Extras extras = {};
-    std::string part = {};  // of a picture, the only one that it is for; empty: all
-    bool operator==(const SizeRegion&) const = default;
-};
 
 /// The domain that a project deforms, as its file describes it.
 struct Domain {
@@ -57,7 +45,7 @@ struct Domain {
     bool repair = false;                // Surface: the simple repairs are made first
     int largestHole = 30;               // edges of a hole that the repair closes
     std::string sizesFile;              // Surface: a factor per vertex, painted
-    std::vector<SizeRegion> sizes;      // Image, Surface: later ones win
+    std::vector<ValueLayer> sizes;      // Image, Surface: factors of the lengths of edges
     std::string detail;                 // Surface, Mesh in space: a surface embedded in the solid
     Fit fit = Fit::Automatic;           // Surface
     double cageDetail = 0;              // Surface: see CageOptions; 0: as fine as the cells

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/project/extras.h"
+#include "app/project/id.h"
 #include "core/motion/handle.h"
 
 namespace wend {
@@ -39,6 +40,7 @@ struct Pin {
     std::string part = {};
     PinTraits traits = {};
     Extras extras = {};
+    Id id = newId();
 
     bool isPartlyHeld() const { return slides != 0 || normal || slide; }
 };

@@ -26,11 +26,11 @@ Design& designOf(Project& project) {
     return project.design;
 }
 
-const DepthRegions& depthOf(const Project& project) {
+const ValueLayers& depthOf(const Project& project) {
     return project.depth;
 }
 
-DepthRegions& depthOf(Project& project) {
+ValueLayers& depthOf(Project& project) {
     return project.depth;
 }
 

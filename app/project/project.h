@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/layer.h"
 #include "app/project/project_fwd.h"
 #include "app/project/solid_view.h"
 #include "core/integration/integration_options.h"
@@ -25,7 +25,7 @@ struct TimeMarker {
 struct Project {
     Domain domain;
     Design design;
-    DepthRegions depth;  // in the plane; later ones win, and elsewhere the order is 0
+    ValueLayers depth;  // in the plane: the order, 0 elsewhere
     double end = 1;
     bool endIsGiven = true;  // false: the file leaves `end` to the motions, see endOfMotions()
     double frameRate = 24;   // of films, per unit of time

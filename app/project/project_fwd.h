@@ -5,16 +5,15 @@
 
 namespace wend {
 
-struct DepthRegion;
 struct Domain;
 struct IntegrationOptions;
 struct Project;
 struct SettleWindow;
+struct ValueLayer;
 struct Design;
-struct MaterialRegion;
 struct MaterialSpec;
 
-using DepthRegions = std::vector<DepthRegion>;
+using ValueLayers = std::vector<ValueLayer>;
 
 // The parts of a project. Include only the header of the part that you use.
 int dimensionOf(const Project& project);
@@ -22,8 +21,8 @@ const Domain& domainOf(const Project& project);
 Domain& domainOf(Project& project);
 const Design& designOf(const Project& project);
 Design& designOf(Project& project);
-const DepthRegions& depthOf(const Project& project);
-DepthRegions& depthOf(Project& project);
+const ValueLayers& depthOf(const Project& project);
+ValueLayers& depthOf(Project& project);
 double endOf(const Project& project);
 double& endOf(Project& project);
 const std::vector<SettleWindow>& settlingOf(const Project& project);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/base/shared_value.h"
+#include "app/project/id.h"
 #include "core/energy/material.h"
 #include "core/mesh/region.h"
 
@@ -29,9 +30,9 @@ struct BrushSettings {
 
 BrushSettings bounded(BrushSettings brush);
 
-/// The layer that is chosen, in the list or because it was painted last; none without a name.
+/// The layer that is chosen, in the list or because it was painted last.
 struct ChosenLayer {
-    std::string name;
+    Id id = Id::None;
     std::string aim = {};  // the property that the brush painted here last
     bool operator==(const ChosenLayer&) const = default;
 };
@@ -46,12 +47,6 @@ class LayerChoice : public SharedValue<ChosenLayer> {
 /// The one number that a brush lays down.
 using PenValue = SharedValue<double>;
 
-/// Regions of a solid to highlight.
-using ChosenRegions = SharedValue<std::vector<Region<3>>>;
-inline std::vector<Region<3>> bounded(std::vector<Region<3>> regions) {
-    return regions;
-}
-
 /// The brush settings that all painting tools share, on pictures and on solids.
 class Brush : public SharedValue<BrushSettings> {
   public:
@@ -63,12 +58,9 @@ class Brush : public SharedValue<BrushSettings> {
     PenValue& edges() { return m_edges; }
     /// Depth of brushed places: in front if positive, behind if negative.
     PenValue& order() { return m_order; }
-    /// Returns the selected regions with another cell size.
-    ChosenRegions& regions() { return m_regions; }
 
   private:
     PenValue m_edges{0.5}, m_order{1};
-    ChosenRegions m_regions;
     LayerChoice m_layer;
 };
 

@@ -3,30 +3,42 @@
 #include <QObject>
 #include <vector>
 
+#include "app/project/id.h"
+
 namespace wend {
 
-/// The handles that are selected, by index, in increasing order.
+class Document;
+
+/// The selected pins of a document. They are kept by their ids, so that they stay selected when others come,
+/// go or change places; pins are named by their places in the project as it is now.
 class Selection : public QObject {
     Q_OBJECT
 
   public:
-    using QObject::QObject;
+    explicit Selection(const Document& document) : m_document(document) {}
 
-    const std::vector<int>& handles() const { return m_handles; }
-    bool isEmpty() const { return m_handles.empty(); }
+    /// Returns the places of the selected pins in increasing order.
+    std::vector<int> handles() const;
+    bool isEmpty() const { return m_ids.empty(); }
     bool contains(int handle) const;
-    void set(std::vector<int> handles);
+    /// Selects the pins at these places; there is none at others.
+    void set(const std::vector<int>& handles);
     void toggle(int handle);
     /// Effect of picking items on the existing selection.
     enum class Pick { Only, Add, Remove };
     void pick(const std::vector<int>& handles, Pick how);
     void clear() { set({}); }
+    /// Forgets pins that the project no longer has.
+    void prune();
 
   signals:
     void changed();
 
   private:
-    std::vector<int> m_handles;
+    void setIds(std::vector<Id> ids);
+
+    const Document& m_document;
+    std::vector<Id> m_ids;  // sorted
 };
 
 }  // namespace wend

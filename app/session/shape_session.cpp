@@ -41,9 +41,7 @@ void ShapeSession::reset() {
 void ShapeSession::takeProject() {
     if (m_document.isEmpty()) return;
     cancelDrag();  // undo during the drag: its handles may no longer exist
-    std::vector<int> kept = m_selection.handles();
-    std::erase_if(kept, [count = handleCount()](int h) { return h >= count; });
-    m_selection.set(std::move(kept));
+    m_selection.prune();
     m_motion.compute();
     emit pinsChanged();
 }
@@ -55,9 +53,8 @@ void ShapeSession::cancelWork() {
 }
 
 int ShapeSession::singleHandle() const {
-    const auto& selected = m_selection.handles();
-    if (m_document.isEmpty() || selected.size() != 1) return -1;
-    return selected.front() < handleCount() ? selected.front() : -1;
+    const std::vector<int> selected = m_selection.handles();
+    return selected.size() == 1 ? selected.front() : -1;
 }
 
 int ShapeSession::addPin(const Vec3& p) {

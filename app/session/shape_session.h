@@ -26,8 +26,7 @@ class ShapeSession : public QObject {
     Playback& playback() { return m_playback; }
     const Playback& playback() const { return m_playback; }
     const FrameTrack& track() const { return m_motion.track(); }
-    /// The handle if one alone is selected, else −1. (In the middle of an undo the selection may be that of
-    /// the project before.)
+    /// Returns the handle if one alone is selected, else −1.
     int singleHandle() const;
     int handleCount() const { return m_pins.count(); }
 
@@ -160,7 +159,7 @@ class ShapeSession : public QObject {
     void takeProject();
 
     Document m_document;
-    Selection m_selection;
+    Selection m_selection{m_document};
     Playback m_playback;
     ShapeMotion m_motion{m_document, m_selection, m_playback};
     ShownPins m_pins{m_document, m_motion};

@@ -306,7 +306,7 @@ void MainWindow::connectEdit() {
 void MainWindow::connectView() {
     Actions& a = *m_actions;
     connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas,
-            [this](const QString& layer) { m_canvas->viewport().set(&Looks::layer, layer); });
+            [this](Id layer) { m_canvas->viewport().set(&Looks::layer, layer); });
     connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
     connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);

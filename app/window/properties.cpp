@@ -30,7 +30,6 @@
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
 #include "app/panels/region_panel.h"
-#include "app/panels/size_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
@@ -61,9 +60,8 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_paint(new PaintPanel(session, m_brush)),
       m_layers(new LayerPanel(session, m_brush.layer())),
       m_facts(new FactsPanel(session)),
-      m_sizes(new SizePanel(session, m_brush)),
-      m_detailRegions(new RegionList(session, RegionsOf::Detail)),
-      m_depthRegions(new RegionList(session, RegionsOf::Depth)),
+      m_detailRegions(new RegionList(session, m_brush, RegionsOf::Detail)),
+      m_depthRegions(new RegionList(session, m_brush, RegionsOf::Depth)),
       m_groups(new GroupList(session)),
       m_surface(new SurfacePanel),
       m_parts(new PartList(session)),
@@ -123,8 +121,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
                                      QStringLiteral("facts"));
     facts->add(m_facts);
     put(facts, tr("Facts"), "measure", {.modes = Mode::Mesh, .flat = false});
-    put(m_sizes, tr("Sizes"), "sizes", {.modes = Mode::Mesh, .flat = false, .tool = "sizes"});
-    put(m_detailRegions, tr("Detail"), "sizes", {.modes = Mode::Mesh, .solid = false, .tool = "sizes"});
+    put(m_detailRegions, tr("Detail"), "sizes", {.modes = Mode::Mesh, .tool = "sizes"});
     put(m_depthRegions, tr("Depth"), "depth", {.modes = Mode::Paint, .solid = false, .tool = "depth"});
     put(m_paint, tr("Paint"), "brush", {.modes = Mode::Paint, .without = "depth"});
     put(m_layers, tr("Layers"), "layers", {.modes = Mode::Paint});

@@ -30,7 +30,6 @@ class PartList;
 class PinList;
 class ReachRow;
 class RegionList;
-class SizePanel;
 class SurfacePanel;
 class Toolbox;
 
@@ -118,7 +117,6 @@ class Properties : public QWidget {
     PaintPanel* m_paint;
     LayerPanel* m_layers;
     FactsPanel* m_facts;
-    SizePanel* m_sizes;
     RegionList *m_detailRegions, *m_depthRegions;
     GroupList* m_groups;
     SurfacePanel* m_surface;

@@ -88,7 +88,9 @@ void SolidWorkshop::connectView() {
     connect(&m_around.session, &ShapeSession::frameChanged, this,
             [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
     connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
-            [&view](const QString& layer) { view.set(&Looks::layer, layer); });
+            [&view](Id layer) { view.set(&Looks::layer, layer); });
+    connect(&m_around.properties.detailRegions(), &RegionList::chosen, m_canvas,
+            &SolidCanvas::setDetailRegions);
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
         if (m_isActive) m_canvas->showWorst();
     });

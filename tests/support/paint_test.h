@@ -8,6 +8,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/material_edits.h"
 #include "tests/support/bar.h"
+#include "tests/support/layers.h"
 
 namespace wend::test {
 
@@ -39,7 +40,7 @@ class PaintTest : public QObject {
     }
     template <int Dim>
     const std::vector<MaterialRegion>& regions() {
-        return m_f->session().document().design().material.regions;
+        return m_regions = regionsIn(m_f->session().document().design());
     }
     template <int Dim>
     bool setEverywhere(double phi) {
@@ -60,8 +61,8 @@ class PaintTest : public QObject {
     }
     std::vector<std::string> layers() {
         std::vector<std::string> names;
-        for (const RegionGroup& group : regionGroups(m_f->session().document().design()))
-            names.push_back(group.name);
+        for (const MaterialLayer& layer : m_f->session().document().design().material.layers)
+            names.push_back(layer.name);
         return names;
     }
     QListWidget* list() { return m_f->window().properties().layers().list(); }
@@ -79,6 +80,9 @@ class PaintTest : public QObject {
     }
 
     std::unique_ptr<SolidFixture> m_f;
+
+  private:
+    std::vector<MaterialRegion> m_regions;
 };
 
 }  // namespace wend::test

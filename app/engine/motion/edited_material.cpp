@@ -52,11 +52,11 @@ class EditedMaterialOf : public EditedMaterial {
     FramePtr with(const MaterialSpec& spec, std::size_t first) override {
         if (!m_below) {
             MaterialSpec below = spec;
-            below.regions.resize(first);
+            below.layers.resize(first);
             m_below = rasterizeMaterial<Dim>(below, rest(), m_folder);
         }
         auto material = std::make_shared<Material<Dim>>(*m_below);
-        layRegions<Dim>(std::span(spec.regions).subspan(first), rest(), m_folder, *material);
+        layLayers<Dim>(std::span(spec.layers).subspan(first), rest(), m_folder, *material);
         auto frame = std::make_shared<PosedFrame<Dim>>(*m_frame);
         frame->material = material;
         return frame;

@@ -32,7 +32,7 @@ class EditedMaterial {
     virtual Region<3> whole() const = 0;
 
     /// Returns the frame with the material of a design. All calls must pass the same `first` and the same
-    /// regions before it.
+    /// layers before it.
     virtual FramePtr with(const MaterialSpec& spec, std::size_t first = 0) = 0;
     /// Returns whether every cell of another frame of this shape has the same φ and B, to 1e-9.
     virtual bool equals(const ShapeFrame& other) const = 0;

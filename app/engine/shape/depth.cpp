@@ -16,12 +16,15 @@ Vec<2> triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
     return (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
 }
 
-float orderAt(const std::vector<DepthRegion>& regions, const std::string& part, const Vec<2>& p) {
-    const auto last = std::find_if(regions.rbegin(), regions.rend(), [&](const DepthRegion& region) {
+float orderAt(const ValueLayers& layers, const std::string& part, const Vec<2>& p) {
+    const auto reaches = [&](const SoftRegion& region) {
         return (region.part.empty() || region.part == part) &&
                signedDistance<2>(inPlane(region.shape), p) <= 0;
+    };
+    const auto last = std::find_if(layers.rbegin(), layers.rend(), [&](const ValueLayer& layer) {
+        return std::ranges::any_of(layer.regions, reaches);
     });
-    return last == regions.rend() ? 0 : static_cast<float>(last->order);
+    return last == layers.rend() ? 0 : static_cast<float>(last->value);
 }
 
 /// Lifts the cells of every part above those of all parts below it.
@@ -67,19 +70,19 @@ std::vector<int> partLevels(const std::vector<PicturePart>& parts, const Simplic
     return levels;
 }
 
-std::vector<float> cellOrders(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
-    if (regions.empty()) return {};
+std::vector<float> cellOrders(const ValueLayers& layers, const SimplicialMesh<2>& rest) {
+    if (layers.empty()) return {};
     std::vector<float> depths;
     depths.reserve(rest.cells.size());
     for (std::size_t c = 0; c < rest.cells.size(); ++c)
-        depths.push_back(orderAt(regions, partNameOf(rest.parts, static_cast<int>(c)),
+        depths.push_back(orderAt(layers, partNameOf(rest.parts, static_cast<int>(c)),
                                  triangleCentroid(rest, rest.cells[c])));
     const bool flat = std::ranges::all_of(depths, [&](float depth) { return depth == depths.front(); });
     return flat ? std::vector<float>() : depths;
 }
 
-std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const SimplicialMesh<2>& rest) {
-    std::vector<float> depths = cellOrders(regions, rest);
+std::vector<float> cellDepths(const ValueLayers& layers, const SimplicialMesh<2>& rest) {
+    std::vector<float> depths = cellOrders(layers, rest);
     if (depths.empty()) depths.assign(rest.cells.size(), 0);
     std::vector<float> levels = depths;
     std::ranges::sort(levels);
@@ -91,14 +94,14 @@ std::vector<float> cellDepths(const std::vector<DepthRegion>& regions, const Sim
     return depths;
 }
 
-const CellDepths::Values& CellDepths::of(const std::vector<DepthRegion>& regions,
+const CellDepths::Values& CellDepths::of(const ValueLayers& layers,
                                          const std::shared_ptr<const SimplicialMesh<2>>& rest,
                                          const std::vector<int>& levels) {
-    if (m_values && rest == m_rest && regions == m_regions && levels == m_levels) return m_values;
-    m_regions = regions;
+    if (m_values && rest == m_rest && layers == m_layers && levels == m_levels) return m_values;
+    m_layers = layers;
     m_rest = rest;
     m_levels = levels;
-    std::vector<float> depths = m_make(regions, *rest);
+    std::vector<float> depths = m_make(layers, *rest);
     lift(*rest, levels, depths);
     m_values = std::make_shared<const std::vector<float>>(std::move(depths));
     m_plan.reset();

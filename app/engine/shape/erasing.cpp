@@ -3,30 +3,12 @@
 #include <algorithm>
 
 #include "app/engine/shape/material_raster.h"
-#include "app/project/edits/material_edits.h"
 
 namespace wend {
 
 namespace {
 
 constexpr double kUnseen = 0.02;  // of a layer's cover
-
-using Layer = std::span<const MaterialRegion>;
-
-/// Calls with each layer, from the lowest on.
-template <class Take>
-void forLayers(const Design& design, const Take& take) {
-    Layer regions(design.material.regions);
-    while (!regions.empty()) {
-        const Layer layer = regions.first(layerEnd(regions));
-        take(layer);
-        regions = regions.subspan(layer.size());
-    }
-}
-
-bool isHidden(const Layer& layer) {
-    return std::ranges::all_of(layer, &MaterialRegion::hidden);
-}
 
 template <int Dim>
 double distanceOf(const Region<3>& region, const Vec3& p) {
@@ -54,12 +36,13 @@ bool erasesAll(const Eraser& eraser, const MaterialRegion& region) {
     return distanceOf<Dim>(eraser.shape, ball->centre) + reach <= 0;
 }
 
-/// Returns the layer with erasers on top, without erasers that miss it and without fully erased regions.
+/// Returns the regions of a layer with erasers on top, without erasers that miss it and without fully erased
+/// regions.
 template <int Dim>
-std::vector<MaterialRegion> erased(const Layer& layer, std::span<const Eraser> erasers,
+std::vector<MaterialRegion> erased(const MaterialLayer& layer, std::span<const Eraser> erasers,
                                    const SimplicialMesh<Dim>& rest, const std::string& folder) {
     std::vector<MaterialRegion> left;
-    for (const auto& region : layer)
+    for (const MaterialRegion& region : layer.regions)
         if (std::ranges::none_of(erasers, [&](const auto& one) { return erasesAll<Dim>(one, region); }))
             left.push_back(region);
     const std::vector<MaterialRegion> painted = left;
@@ -70,8 +53,7 @@ std::vector<MaterialRegion> erased(const Layer& layer, std::span<const Eraser> e
         };
         if (std::ranges::none_of(painted, isUnder)) continue;
         if (one.amount < 1 && cover.empty()) cover = coverOf<Dim>(layer, rest, folder);
-        MaterialRegion region{layer.front().name, one.shape, one.feather, {}, {}};
-        region.part = one.part;
+        MaterialRegion region{{one.shape, one.feather, one.part}};
         region.leaves = one.amount < 1 ? (1 - one.amount) * cover[one.cell] : 0;
         left.push_back(std::move(region));
     }
@@ -84,28 +66,19 @@ std::vector<MaterialRegion> erased(const Layer& layer, std::span<const Eraser> e
 template <int Dim>
 Design withErased(const Design& design, std::span<const Eraser> erasers, const SimplicialMesh<Dim>& rest,
                   const std::string& folder) {
-    auto next = design;
-    auto& all = next.material.regions;
-    all.clear();
-    forLayers(design, [&](const Layer& layer) {
-        if (isHidden(layer))
-            all.insert(all.end(), layer.begin(), layer.end());
-        else
-            std::ranges::move(erased<Dim>(layer, erasers, rest, folder), std::back_inserter(all));
-    });
+    Design next = design;
+    for (MaterialLayer& layer : next.material.layers)
+        if (!layer.isHidden()) layer.regions = erased<Dim>(layer, erasers, rest, folder);
+    std::erase_if(next.material.layers, [](const MaterialLayer& layer) { return layer.regions.empty(); });
     return next;
 }
 
 template <int Dim>
 Design withoutErasedLayers(const Design& design, const SimplicialMesh<Dim>& rest, const std::string& folder) {
-    auto next = design;
-    auto& all = next.material.regions;
-    all.clear();
-    forLayers(design, [&](const Layer& layer) {
-        const bool isErased = std::ranges::any_of(layer, &MaterialRegion::erases);
-        if (isErased && !isHidden(layer) && std::ranges::max(coverOf<Dim>(layer, rest, folder)) < kUnseen)
-            return;
-        all.insert(all.end(), layer.begin(), layer.end());
+    Design next = design;
+    std::erase_if(next.material.layers, [&](const MaterialLayer& layer) {
+        return layer.erases() && !layer.isHidden() &&
+               std::ranges::max(coverOf<Dim>(layer, rest, folder)) < kUnseen;
     });
     return next;
 }

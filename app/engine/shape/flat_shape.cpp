@@ -100,13 +100,19 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
     options.edge = domain.edge;
     options.simplify = outlineSlack(domain);
     options.points = handlePoints(design, outline);
-    std::vector<Region<2>> shapes;
-    for (const SizeRegion& region : domain.sizes) shapes.push_back(inPlane(region.shape));
-    if (!domain.sizes.empty())
-        options.factor = [&sizes = domain.sizes, &shapes](const Vec<2>& p) {
+    struct Size {
+        Region<2> shape;
+        double feather, factor;
+    };
+    std::vector<Size> sizes;
+    for (const ValueLayer& layer : domain.sizes)
+        for (const SoftRegion& region : layer.regions)
+            sizes.push_back({inPlane(region.shape), region.feather, layer.value});
+    if (!sizes.empty())
+        options.factor = [&sizes](const Vec<2>& p) {
             double factor = 1;
-            for (std::size_t i = 0; i < sizes.size(); ++i)
-                factor += membership<2>(shapes[i], p, sizes[i].feather) * (sizes[i].factor - factor);
+            for (const Size& size : sizes)
+                factor += membership<2>(size.shape, p, size.feather) * (size.factor - factor);
             return factor;
         };
     options.stop = stop;

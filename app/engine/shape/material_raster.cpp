@@ -122,25 +122,17 @@ class WallNormals {
     TriangleTree m_tree;
 };
 
-/// Lays layers upon a material, each a run of regions of one name.
+/// Lays layers upon a material.
 template <int Dim>
-class MaterialLayers {
+class LayerRaster {
   public:
-    MaterialLayers(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
+    LayerRaster(const SimplicialMesh<Dim>& rest, const std::string& folder, Material<Dim>& material)
         : m_rest(rest), m_folder(folder), m_centres(rest), m_material(material) {}
 
-    void lay(std::span<const MaterialRegion> regions) {
-        while (!regions.empty()) {
-            const std::size_t count = layerEnd(regions);
-            const auto layer = regions.first(count);
-            layLayer(layer, std::ranges::any_of(layer, &MaterialRegion::erases));
-            regions = regions.subspan(count);
-        }
-    }
-    void layLayer(std::span<const MaterialRegion> layer, bool covers) {
+    void lay(const MaterialLayer& layer, bool covers) {
         m_cover.clear();
         if (covers) m_below = m_material, m_cover.assign(m_rest.cells.size(), 0);
-        for (const auto& region : layer) {
+        for (const MaterialRegion& region : layer.regions) {
             if (region.hidden) continue;
             region.erases() ? erase(region) : layRegion(region);
         }
@@ -216,18 +208,19 @@ Stiffness stiffnessOf(const Mat<Dim>& B) {
 }
 
 template <int Dim>
-void layRegions(std::span<const MaterialRegion> regions, const SimplicialMesh<Dim>& rest,
-                const std::string& folder, Material<Dim>& material) {
-    MaterialLayers<Dim>(rest, folder, material).lay(regions);
+void layLayers(std::span<const MaterialLayer> layers, const SimplicialMesh<Dim>& rest,
+               const std::string& folder, Material<Dim>& material) {
+    LayerRaster<Dim> raster(rest, folder, material);
+    for (const MaterialLayer& layer : layers) raster.lay(layer, layer.erases());
 }
 
 template <int Dim>
-std::vector<double> coverOf(std::span<const MaterialRegion> layer, const SimplicialMesh<Dim>& rest,
+std::vector<double> coverOf(const MaterialLayer& layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder) {
     auto material = Material<Dim>::uniform(rest.cellCount(), phi::kMetr);
-    MaterialLayers<Dim> layers(rest, folder, material);
-    layers.layLayer(layer, true);
-    return layers.cover();
+    LayerRaster<Dim> raster(rest, folder, material);
+    raster.lay(layer, true);
+    return raster.cover();
 }
 
 template <int Dim>
@@ -240,16 +233,16 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& given
     material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
     for (const Mat<3>& B : spec.cellB) material->anisotropy.push_back(B.template topLeftCorner<Dim, Dim>());
-    layRegions<Dim>(spec.regions, rest, folder, *material);
+    layLayers<Dim>(spec.layers, rest, folder, *material);
     return material;
 }
 
 #define WEND_INSTANTIATE(Dim)                                                                              \
     template Mat<Dim> anisotropyOf<Dim>(const Stiffness&);                                                 \
     template Stiffness stiffnessOf<Dim>(const Mat<Dim>&);                                                  \
-    template void layRegions<Dim>(std::span<const MaterialRegion>, const SimplicialMesh<Dim>&,             \
+    template void layLayers<Dim>(std::span<const MaterialLayer>, const SimplicialMesh<Dim>&,             \
                                   const std::string&, Material<Dim>&);                                     \
-    template std::vector<double> coverOf<Dim>(std::span<const MaterialRegion>, const SimplicialMesh<Dim>&, \
+    template std::vector<double> coverOf<Dim>(const MaterialLayer&, const SimplicialMesh<Dim>&, \
                                               const std::string&);                                         \
     template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                                  \
         const MaterialSpec&, const SimplicialMesh<Dim>&, const std::string&)

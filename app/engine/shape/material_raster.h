@@ -11,7 +11,7 @@ namespace wend {
 
 /// Returns φ and B of every cell at its centroid. Starting from the cells' own values, if the spec has them,
 /// each region blends in its φ and B with its membership m: φ + m (φ_region − φ) and (1 − m) B + m B_region,
-/// which stays symmetric positive definite. An eraser reverts its layer (the regions of its name up to it):
+/// which stays symmetric positive definite. An eraser reverts its layer:
 /// the cover c, which a region raises to c + m (1 − c), becomes c' = (1 − m) c + m min(c, leaves), and φ and
 /// B move to those below the layer by c'/c. A file of cell values is read from `folder`. Throws InputError
 /// that names the key.
@@ -20,13 +20,13 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& spec,
                                                        const SimplicialMesh<Dim>& rest,
                                                        const std::string& folder = {});
 
-/// Adds whole layers to a material, as rasterizeMaterial() does.
+/// Adds layers to a material, as rasterizeMaterial() does.
 template <int Dim>
-void layRegions(std::span<const MaterialRegion> regions, const SimplicialMesh<Dim>& rest,
-                const std::string& folder, Material<Dim>& material);
+void layLayers(std::span<const MaterialLayer> layers, const SimplicialMesh<Dim>& rest,
+               const std::string& folder, Material<Dim>& material);
 /// Returns the cover c of a layer, per cell.
 template <int Dim>
-std::vector<double> coverOf(std::span<const MaterialRegion> layer, const SimplicialMesh<Dim>& rest,
+std::vector<double> coverOf(const MaterialLayer& layer, const SimplicialMesh<Dim>& rest,
                             const std::string& folder);
 
 /// Return B₀ of a stiffness, and the stiffness nearest to a B₀: along its largest eigenvector, by the ratio

@@ -27,8 +27,10 @@ Domain domainOf(const Domain& whole, const PicturePart& part) {
     Domain own = whole;
     own.parts.clear();
     own.path = part.path;
-    std::erase_if(own.sizes,
-                  [&](const SizeRegion& region) { return !region.part.empty() && region.part != part.name; });
+    for (ValueLayer& layer : own.sizes)
+        std::erase_if(layer.regions, [&](const SoftRegion& region) {
+            return !region.part.empty() && region.part != part.name;
+        });
     if (!part.outline) return own;
     own.outline = part.outline->kind;
     own.alpha = part.outline->alpha;

@@ -54,15 +54,17 @@ bool sameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffn
 }
 
 bool sameRegionsAndCells(const MaterialSpec& a, const MaterialSpec& b) {
-    const bool erases = std::ranges::any_of(a.regions, &MaterialRegion::erases);  // within names
-    const auto same = [erases](const MaterialRegion& p, const MaterialRegion& q) {
+    const auto sameRegion = [](const MaterialRegion& p, const MaterialRegion& q) {
         return p.feather == q.feather && p.phi == q.phi && sameStiffness(p.stiffness, q.stiffness) &&
                p.shape == q.shape && p.pictures == q.pictures && p.hidden == q.hidden &&
-               p.leaves == q.leaves && p.part == q.part && (!erases || p.name == q.name);
+               p.leaves == q.leaves && p.part == q.part;
+    };
+    const auto sameLayer = [&](const MaterialLayer& p, const MaterialLayer& q) {
+        return std::ranges::equal(p.regions, q.regions, sameRegion);
     };
     return a.cellsFile == b.cellsFile && a.cellsPhi == b.cellsPhi && a.cellsB == b.cellsB &&
            a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
-           std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
+           std::ranges::equal(a.layers, b.layers, sameLayer);
 }
 
 }  // namespace

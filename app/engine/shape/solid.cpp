@@ -31,8 +31,9 @@ SizeGrid sizesOf(const Domain& domain, const std::string& folder, const Surface&
     const PointLocator<3> locator(surface.points, noCells);
     return sampleSizes(surface, [&](const Vec<3>& p) {
         double factor = painted.empty() ? 1 : painted[locator.nearestVertex(p)];
-        for (const SizeRegion& region : domain.sizes)
-            factor += membership<3>(region.shape, p, region.feather) * (region.factor - factor);
+        for (const ValueLayer& layer : domain.sizes)
+            for (const SoftRegion& region : layer.regions)
+                factor += membership<3>(region.shape, p, region.feather) * (layer.value - factor);
         return factor;
     });
 }

@@ -25,7 +25,7 @@ const Design& Document::design() const {
     return m_project->design;
 }
 
-const DepthRegions& Document::depth() const {
+const ValueLayers& Document::depth() const {
     return m_project->depth;
 }
 
@@ -120,7 +120,13 @@ void Document::changeDesign(const QString& name, Design after, const QString& me
     change(name, std::move(next), mergeKey);
 }
 
-void Document::changeDepth(const QString& name, DepthRegions after, const QString& mergeKey) {
+void Document::changeSizes(const QString& name, ValueLayers after, const QString& mergeKey) {
+    Project next = *m_project;
+    next.domain.sizes = std::move(after);
+    change(name, std::move(next), mergeKey);
+}
+
+void Document::changeDepth(const QString& name, ValueLayers after, const QString& mergeKey) {
     Project next = *m_project;
     next.depth = std::move(after);
     change(name, std::move(next), mergeKey);

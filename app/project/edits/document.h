@@ -42,7 +42,7 @@ class Document : public QObject {
     /// use.
     const Domain& domain() const;
     const Design& design() const;
-    const DepthRegions& depth() const;
+    const ValueLayers& depth() const;
     double end() const;
     /// The up axis; has a default while the document is empty.
     UpAxis up() const;
@@ -81,7 +81,8 @@ class Document : public QObject {
     void change(const QString& name, std::shared_ptr<const Project> after, const QString& mergeKey = {});
     void changeDomain(const QString& name, Domain after, const QString& mergeKey = {});
     void changeDesign(const QString& name, Design after, const QString& mergeKey = {});
-    void changeDepth(const QString& name, DepthRegions after, const QString& mergeKey = {});
+    void changeSizes(const QString& name, ValueLayers after, const QString& mergeKey = {});
+    void changeDepth(const QString& name, ValueLayers after, const QString& mergeKey = {});
     /// Restores an earlier project in a new step.
     void changeBack(const QString& name, const std::shared_ptr<const Project>& before);
     /// Merges all changes until endStep() into one step with the name of the first.

@@ -7,7 +7,7 @@
 #include "app/project/edits/film_time.h"
 #include "app/project/edits/free_name.h"
 #include "app/project/edits/handle_comparison.h"
-#include "app/project/edits/region_edits.h"
+#include "app/project/edits/layer_edits.h"
 #include "app/project/project.h"
 #include "core/mesh/segments.h"
 
@@ -112,18 +112,20 @@ Design withHandlePlace(const Design& design, int handle, Placement<3> at) {
 Project withHandleName(const Project& project, int handle, const std::string& name) {
     Project next = project;
     const std::string before = std::exchange(next.design.handles.at(handle).name, name);
-    for (DepthRegion& region : next.depth)  // the order that it gives
-        if (!before.empty() && region.name == before) region.name = name;
+    for (ValueLayer& layer : next.depth)  // the order that it gives
+        if (!before.empty() && layer.name == before) layer.name = name;
     return next;
 }
 
-Project withDepthName(const Project& project, int group, const std::string& wish) {
+Project withDepthName(const Project& project, Id layer, const std::string& wish) {
     Project next = project;
-    auto& handles = next.design.handles;
-    const std::string before = namedRegions(project.depth).at(group).name;
-    next.depth = withRegionsName(project.depth, group, wish, namesOf(handles));
-    for (Pin& handle : handles)
-        if (!before.empty() && handle.name == before) handle.name = namedRegions(next.depth)[group].name;
+    const ValueLayer* own = layerOf(project.depth, layer);
+    if (!own) return next;
+    std::vector<std::string> taken = namesOf(next.design.handles);
+    std::erase(taken, own->name);
+    next.depth = withLayerName(project.depth, layer, wish, taken);
+    for (Pin& handle : next.design.handles)
+        if (!own->name.empty() && handle.name == own->name) handle.name = layerOf(next.depth, layer)->name;
     return next;
 }
 
@@ -131,8 +133,8 @@ void renameHandle(Document& document, const QString& step, int handle, const std
     document.change(step, withHandleName(*document.project(), handle, name));
 }
 
-void renameDepth(Document& document, const QString& step, int group, const std::string& wish) {
-    document.change(step, withDepthName(*document.project(), group, wish));
+void renameDepth(Document& document, const QString& step, Id layer, const std::string& wish) {
+    document.change(step, withDepthName(*document.project(), layer, wish));
 }
 
 namespace {
@@ -306,7 +308,7 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
         name = next;
     };
     for (Pin& handle : renamed->design.handles) rename(handle.name);
-    for (MaterialRegion& region : renamed->design.material.regions) rename(region.name);
+    for (MaterialLayer& layer : renamed->design.material.layers) rename(layer.name);
     return differs ? renamed : project;
 }
 

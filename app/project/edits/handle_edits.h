@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/project/edits/grip.h"
+#include "app/project/id.h"
 #include "app/project/pin.h"
 #include "app/project/project_fwd.h"
 
@@ -36,11 +37,11 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
 /// Returns the design with other points or another name of a handle; its depth regions are renamed, too.
 Design withHandlePlace(const Design& design, int handle, Placement<3> at);
 Project withHandleName(const Project& project, int handle, const std::string& name);
-/// Renames a group of namedRegions() of the depth, and the handle that it belongs to.
-Project withDepthName(const Project& project, int group, const std::string& wish);
+/// Renames a layer of the depth, and the handle that it belongs to.
+Project withDepthName(const Project& project, Id layer, const std::string& wish);
 /// Do the same as steps of a document.
 void renameHandle(Document& document, const QString& step, int handle, const std::string& name);
-void renameDepth(Document& document, const QString& step, int group, const std::string& wish);
+void renameDepth(Document& document, const QString& step, Id layer, const std::string& wish);
 
 /// Releases handles at a time, or removes them if they did not act before (or were already released).
 Design withoutHandles(const Design& design, const std::vector<int>& handles, double time);

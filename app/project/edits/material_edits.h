@@ -1,12 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/project/design.h"
-#include "app/project/project_fwd.h"
+#include "app/project/edits/layer_edits.h"
 
 namespace wend {
 
@@ -16,53 +15,41 @@ struct MaterialPaint {
     std::optional<Stiffness> stiffness;
 };
 
-/// Regions of one name: the strokes of a layer, or regions from a file. Values are those of the first region
-/// that paints unless noted.
-struct RegionGroup {
-    std::string name;
-    int count = 0;  // of those that paint
+/// The values of a layer: those of the first region that paints unless noted.
+struct LayerValues {
     double feather = 0;
     MaterialPaint paint = {};
     MaterialPictures pictures = {};
-    bool hidden = false;
     std::optional<Vec3> axis = {};  // of the first that is stiff
     bool oneAxis = true;            // all that are stiff are so along it
 };
-std::vector<RegionGroup> regionGroups(const Design& design);
+LayerValues valuesOf(const MaterialLayer& layer);
 
-/// Returns how many regions from the first on belong to one layer: those of the same name.
-std::size_t layerEnd(std::span<const MaterialRegion> regions);
-/// Returns the index of a layer's first region, of the topmost layer if several match; past the end if there
-/// is none.
-std::size_t layerBegin(const Design& design, const std::string& name);
+/// The layer that a stroke is for, which may be a new one.
+struct PaintedLayer {
+    Id id = newId();
+    std::string name;
+};
 /// Adds regions on top of their layer; a new layer is added on top of all.
-Design withStroke(const Design& design, const std::string& layer, std::vector<MaterialRegion> regions);
-/// Returns the design with another material in the group of that name. `keepAxes`: stiff regions keep their
-/// direction.
-Design withGroupPaint(const Design& design, const std::string& name, const MaterialPaint& paint,
-                      bool keepAxes = false);
-Design withGroupFeather(const Design& design, const std::string& name, double feather);
-bool isGroupHidden(const Design& design, const std::string& name);
-Design withGroupHidden(const Design& design, const std::string& name, bool hidden);
+Design withStroke(const Design& design, const PaintedLayer& layer, std::vector<MaterialRegion> regions);
+
+/// Paints all regions of a layer but its erasers. `keepAxes`: stiff regions keep their direction.
+void setLayerPaint(MaterialLayer& layer, const MaterialPaint& paint, bool keepAxes = false);
+void setLayerFeather(MaterialLayer& layer, double feather);
+void setLayerHidden(MaterialLayer& layer, bool hidden);
+/// Reads the pictures of a layer again from their files.
+void rereadPictures(MaterialLayer& layer);
+
 /// Pictures of the material over a box, as a layer on top, named as that.
 Design withPictures(const Design& design, const std::string& name, const Box<2>& box,
                     const MaterialPictures& pictures);
-/// The group's pictures are read again from their files.
-Design withPicturesReread(const Design& design, const std::string& name);
-/// Returns the wanted name, with a number appended if another group has it.
-std::string freeGroupName(const Design& design, const std::string& name, const std::string& wish);
-Design withGroupName(const Design& design, const std::string& name, const std::string& next);
-/// The group by that many groups further up, where it wins over more of the others; down if negative.
-Design withGroupMoved(const Design& design, const std::string& name, int by);
-/// Merges the group into the one below. Returns nothing if that would change the result: if the upper one
+/// Merges the layer into the one below. Returns nothing if that would change the result: if the upper one
 /// erases, one is hidden, or one consists of pictures.
-std::optional<Design> withGroupMergedDown(const Design& design, const std::string& name);
-/// Returns the design without the group and its regions.
-Design withoutGroup(const Design& design, const std::string& name);
+std::optional<std::vector<MaterialLayer>> withLayerMergedDown(std::vector<MaterialLayer> layers, Id id);
+Design withAllHidden(const Design& design);
 /// Sets or removes the file of values per cell.
 Design withCellsFile(const Design& design, const std::string& file);
 Design withoutCells(const Design& design);
-Design withAllHidden(const Design& design);
 /// Returns whether the material of any place differs from that of the whole.
 bool isPainted(const Design& design);
 

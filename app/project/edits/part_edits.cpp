@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 
@@ -39,9 +38,9 @@ std::shared_ptr<const Project> withPartName(const Project& project, int part, co
         for (Joint& joint : one.joints) rename(joint.to);
     }
     for (Pin& handle : designOf(*next).handles) rename(handle.part);
-    for (MaterialRegion& region : designOf(*next).material.regions) rename(region.part);
-    for (DepthRegion& region : depthOf(*next)) rename(region.part);
-    for (SizeRegion& region : domainOf(*next).sizes) rename(region.part);
+    for (MaterialRegion& region : regionsOf(designOf(*next).material.layers)) rename(region.part);
+    for (SoftRegion& region : regionsOf(depthOf(*next))) rename(region.part);
+    for (SoftRegion& region : regionsOf(domainOf(*next).sizes)) rename(region.part);
     return next;
 }
 
@@ -139,9 +138,9 @@ std::shared_ptr<const Project> withoutParts(const Project& project, const std::s
     domainOf(*next).parts.clear();
     domainOf(*next).path = path;
     for (Pin& handle : designOf(*next).handles) handle.part.clear();
-    for (MaterialRegion& region : designOf(*next).material.regions) region.part.clear();
-    for (DepthRegion& region : depthOf(*next)) region.part.clear();
-    for (SizeRegion& region : domainOf(*next).sizes) region.part.clear();
+    for (MaterialRegion& region : regionsOf(designOf(*next).material.layers)) region.part.clear();
+    for (SoftRegion& region : regionsOf(depthOf(*next))) region.part.clear();
+    for (SoftRegion& region : regionsOf(domainOf(*next).sizes)) region.part.clear();
     return next;
 }
 

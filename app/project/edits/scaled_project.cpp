@@ -50,11 +50,14 @@ void scalePixels(Project& project, double factor) {
     scale(domain.alpha, factor);
     scale(domain.polygons, factor);
     for (PicturePart& part : domain.parts) scale(part, factor);
-    for (auto& region : domain.sizes) region.shape = carried(region.shape, scaling), region.feather *= factor;
-    for (DepthRegion& region : project.depth) region.shape = carried(region.shape, scaling);
     auto& design = designOf(project);
-    for (auto& region : design.material.regions)
-        region.shape = carried(region.shape, scaling), region.feather *= factor;
+    const auto scaleAll = [&](auto& layers) {
+        for (SoftRegion& region : regionsOf(layers))
+            region.shape = carried(region.shape, scaling), region.feather *= factor;
+    };
+    scaleAll(domain.sizes);
+    scaleAll(project.depth);
+    scaleAll(design.material.layers);
     for (Pin& handle : design.handles) scale(handle, scaling);
 }
 

@@ -135,12 +135,33 @@ MaterialPictures readPictures(const JsonValue& value) {
     return pictures;
 }
 
-MaterialRegion readMaterialRegion(const JsonValue& value) {
+/// Reads what all regions have; `name` is that of their layer. Returns the value of the shape.
+JsonValue readSoftRegion(JsonObject& object, std::string& name, SoftRegion& region) {
+    if (auto given = object.find("name")) name = given->text();
+    const JsonValue shape = object.require("shape");
+    region.shape = readRegion(shape);
+    if (auto part = object.value().dimension() == 2 ? object.find("part") : std::nullopt)
+        region.part = part->text();
+    return shape;
+}
+
+void readFeather(JsonObject& object, SoftRegion& region) {
+    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
+}
+
+/// Adds a region to the last layer if it has that name and value, else in a layer of its own.
+void add(SoftRegion region, const std::string& name, double value, ValueLayers& layers) {
+    const bool continues = !name.empty() && !layers.empty() && layers.back().name == name &&
+                           layers.back().value == value;
+    if (!continues) layers.push_back({name, value, {}});
+    layers.back().regions.push_back(std::move(region));
+}
+
+MaterialRegion readMaterialRegion(const JsonValue& value, std::string& name) {
     MaterialRegion region;
     JsonObject object(value.ownedBy(region.extras));
-    if (auto name = object.find("name")) region.name = name->text();
-    region.shape = readRegion(object.require("shape"));
-    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
+    readSoftRegion(object, name, region);
+    readFeather(object, region);
     if (auto phi = object.find("phi")) region.phi = readPhi(*phi, phi->dimension());
     if (auto stiffness = object.find("stiffness")) region.stiffness = readStiffness(*stiffness);
     if (auto pictures = value.dimension() == 2 ? object.find("pictures") : std::nullopt) {
@@ -150,7 +171,6 @@ MaterialRegion readMaterialRegion(const JsonValue& value) {
     }
     if (auto hidden = object.find("hidden")) region.hidden = hidden->boolean();
     if (auto leaves = object.find("leaves")) region.leaves = leaves->number("material.regions[].leaves");
-    if (auto part = object.find("part")) region.part = part->text();
     if (region.erases()) region.phi.reset(), region.stiffness.reset();  // see materialRegionJson()
     if (region.erases() && region.pictures.any()) value.fail("erases, and has pictures");
     if (!region.phi && !region.stiffness && !region.pictures.any() && !region.erases())
@@ -480,21 +500,27 @@ Outline readPolygons(const JsonValue& value) {
     return outline;
 }
 
-DepthRegions readDepth(const JsonValue& value) {
-    std::vector<DepthRegion> regions;
-    for (const JsonValue& element : value.elements()) {
-        DepthRegion& region = regions.emplace_back();
-        JsonObject object(element.ownedBy(region.extras));
-        if (auto name = object.find("name")) region.name = name->text();
-        const JsonValue shape = object.require("shape");
-        region.shape = readRegion(shape);
-        if (std::holds_alternative<Blend<3>>(region.shape))
-            shape.fail("a blend has no inside that could lie in front or behind");
-        region.order = object.require("order").number("depth[].order");
-        if (auto part = object.find("part")) region.part = part->text();
-        object.finish();
-    }
-    return regions;
+void readSize(const JsonValue& value, ValueLayers& sizes) {
+    std::string name;
+    SoftRegion region;
+    JsonObject object(value.ownedBy(region.extras));
+    readSoftRegion(object, name, region);
+    readFeather(object, region);
+    const double factor = object.require("factor").number("domain.sizes[].factor");
+    object.finish();
+    add(std::move(region), name, factor, sizes);
+}
+
+void readDepth(const JsonValue& value, ValueLayers& depth) {
+    std::string name;
+    SoftRegion region;
+    JsonObject object(value.ownedBy(region.extras));
+    const JsonValue shape = readSoftRegion(object, name, region);
+    if (std::holds_alternative<Blend<3>>(region.shape))
+        shape.fail("a blend has no inside that could lie in front or behind");
+    const double order = object.require("order").number("depth[].order");
+    object.finish();
+    add(std::move(region), name, order, depth);
 }
 
 void readCellValues(JsonObject& object, MaterialSpec& spec) {
@@ -530,8 +556,12 @@ void readMaterial(const JsonValue& value, Project& project) {
     readSettings(object, "material", project);
     if (auto smoothing = object.find("smoothing")) readSmoothing(*smoothing, project);
     if (auto regions = object.find("regions"))
-        for (const JsonValue& element : regions->elements())
-            spec.regions.push_back(readMaterialRegion(element));
+        for (const JsonValue& element : regions->elements()) {
+            std::string name;
+            MaterialRegion region = readMaterialRegion(element, name);
+            if (spec.layers.empty() || spec.layers.back().name != name) spec.layers.push_back({name, {}});
+            spec.layers.back().regions.push_back(std::move(region));
+        }
     if (auto cells = object.find("cells")) readCellsKey(*cells, spec);
     object.finish();
 }

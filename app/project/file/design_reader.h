@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
 #include "app/project/file/json_reader.h"
 #include "app/project/project_fwd.h"
@@ -16,7 +15,9 @@ Pin readHandle(const JsonValue& value, double end);
 Region<3> readRegion(const JsonValue& value);
 /// Reads the loops of an outline.
 Outline readPolygons(const JsonValue& value);
-DepthRegions readDepth(const JsonValue& value);
+/// Reads a region of `domain.sizes` or `depth` into the last layer, or into a new one.
+void readSize(const JsonValue& value, ValueLayers& sizes);
+void readDepth(const JsonValue& value, ValueLayers& depth);
 /// Reads the keys of material.cells.
 void readCellValues(JsonObject& object, MaterialSpec& spec);
 

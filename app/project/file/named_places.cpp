@@ -169,13 +169,15 @@ void findDirections(Pin& handle, const std::string& where, PlaceFinder& finder) 
     }
 }
 
-void findWalls(std::vector<MaterialRegion>& regions, PlaceFinder& finder) {
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-        if (!regions[r].stiffness || regions[r].stiffness->wall.empty()) continue;
+void findWalls(std::vector<MaterialLayer>& layers, PlaceFinder& finder) {
+    int place = -1;  // in the file's list
+    for (MaterialRegion& region : regionsOf(layers)) {
+        ++place;
+        if (!region.stiffness || region.stiffness->wall.empty()) continue;
         try {
-            regions[r].stiffness->facets = finder.wallOf(regions[r].stiffness->wall);
+            region.stiffness->facets = finder.wallOf(region.stiffness->wall);
         } catch (const InputError& error) {
-            throw InputError("material.regions[" + std::to_string(r) +
+            throw InputError("material.regions[" + std::to_string(place) +
                              "].stiffness.axis: " + error.message());
         }
     }
@@ -185,7 +187,7 @@ void findWalls(std::vector<MaterialRegion>& regions, PlaceFinder& finder) {
 
 void findNamedPlaces(Project& project, const std::string& folder) {
     PlaceFinder finder(project, folder);
-    findWalls(designOf(project).material.regions, finder);
+    findWalls(designOf(project).material.layers, finder);
     auto& handles = designOf(project).handles;
     for (std::size_t h = 0; h < handles.size(); ++h) {
         const std::string where = "handles[" + std::to_string(h) + "]";

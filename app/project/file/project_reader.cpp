@@ -43,18 +43,6 @@ std::string readFileName(const JsonValue& value) {
     return name;
 }
 
-SizeRegion readSizeRegion(const JsonValue& owner) {
-    SizeRegion region;
-    JsonObject object(owner.ownedBy(region.extras));
-    if (auto name = object.find("name")) region.name = name->text();
-    region.shape = readRegion(object.require("shape"));
-    if (auto feather = object.find("feather")) region.feather = feather->number("material.regions[].feather");
-    region.factor = object.require("factor").number("domain.sizes[].factor");
-    if (auto part = owner.dimension() == 2 ? object.find("part") : std::nullopt) region.part = part->text();
-    object.finish();
-    return region;
-}
-
 void readImageDomain(JsonObject& object, Project& project) {
     Domain& domain = project.domain;
     domain.kind = DomainKind::Image;
@@ -71,14 +59,14 @@ void readImageDomain(JsonObject& object, Project& project) {
     if (auto outline = object.find("outline")) readOutline(*outline, project);
     if (object.has("vertices") && object.has("edge")) object.value().fail("has both `vertices` and `edge`");
     if (auto sizes = object.find("sizes"))
-        for (const JsonValue& element : sizes->elements()) domain.sizes.push_back(readSizeRegion(element));
+        for (const JsonValue& element : sizes->elements()) readSize(element, domain.sizes);
 }
 
 /// {"values": FILE} must come first, then regions.
 void readSizeField(const JsonValue& value, Domain& domain) {
     for (const JsonValue& element : value.elements()) {
         if (!element.json().is_object() || !element.json().contains("values")) {
-            domain.sizes.push_back(readSizeRegion(element.ofDimension(3)));
+            readSize(element.ofDimension(3), domain.sizes);
             continue;
         }
         JsonObject object(element);
@@ -301,7 +289,8 @@ LoadedProject readRoot(const Json& json, const std::string& folder) {
     project.endIsGiven = root.has("time") && root.value().json()["time"].contains("end");
     if (!project.endIsGiven) project.end = endOfMotions(project);
     if (project.dimension() == 2)
-        if (auto depth = root.find("depth")) project.depth = readDepth(*depth);
+        if (auto depth = root.find("depth"))
+            for (const JsonValue& element : depth->elements()) readDepth(element, project.depth);
     if (project.dimension() == 3)
         if (auto view = root.find("view")) readView(*view, project);
     if (auto settle = root.find("settle")) readSettling(*settle, project);

@@ -87,17 +87,20 @@ class ProjectJson {
         return json.empty() ? Json(true) : json;
     }
 
-    void addSizes(Json& json, const std::vector<SizeRegion>& sizes) const {
-        for (const SizeRegion& region : sizes) {
-            Json one = Json::object();
-            if (!region.name.empty()) one["name"] = region.name;
-            one["shape"] = regionJson(region.shape);
-            if (region.feather != 0) one["feather"] = numberJson(region.feather);
-            one["factor"] = numberJson(region.factor);
-            if (!region.part.empty()) one["part"] = region.part;
-            json["sizes"].push_back(withExtras(std::move(one), region.extras));
-        }
+    /// Adds the regions of layers, whose value has that key.
+    void addLayers(Json& json, const char* list, const char* key, const ValueLayers& layers) const {
+        for (const ValueLayer& layer : layers)
+            for (const SoftRegion& region : layer.regions) {
+                Json one = Json::object();
+                if (!layer.name.empty()) one["name"] = layer.name;
+                one["shape"] = regionJson(region.shape);
+                if (region.feather != 0) one["feather"] = numberJson(region.feather);
+                one[key] = numberJson(layer.value);
+                if (!region.part.empty()) one["part"] = region.part;
+                json[list].push_back(withExtras(std::move(one), region.extras));
+            }
     }
+    void addSizes(Json& json) const { addLayers(json, "sizes", "factor", m_project.domain.sizes); }
 
     void addSurfaceKeys(Json& json) const {
         const Domain& domain = m_project.domain;
@@ -107,7 +110,7 @@ class ProjectJson {
         if (domain.fit == Fit::Cage) json["cage"] = switchedOn("domain.cage");
         if (domain.fit == Fit::Exact) json["cage"] = false;
         if (!domain.sizesFile.empty()) json["sizes"].push_back({{"values", domain.sizesFile}});
-        addSizes(json, domain.sizes);
+        addSizes(json);
     }
 
     Json domainJson() const {
@@ -123,7 +126,7 @@ class ProjectJson {
         if (domain.kind != DomainKind::Mesh && domain.edge <= 0 && domain.maxVolume <= 0)
             json["vertices"] = domain.vertices;
         writeSettings(json, "domain", m_project);
-        if (domain.kind == DomainKind::Image) addSizes(json, domain.sizes);
+        if (domain.kind == DomainKind::Image) addSizes(json);
         if (domain.kind == DomainKind::Mesh && !domain.texture.empty()) json["image"] = domain.texture;
         if (domain.kind == DomainKind::Surface) addSurfaceKeys(json);
         if (domain.kind != DomainKind::Image && !domain.detail.empty()) json["detail"] = domain.detail;
@@ -150,13 +153,13 @@ class ProjectJson {
     }
 
     /// Readers without erasers apply the material that holds everywhere.
-    Json materialRegionJson(MaterialRegion region, double everywhere) const {
+    Json materialRegionJson(const std::string& name, MaterialRegion region, double everywhere) const {
         if (region.erases()) {
             region.phi = everywhere;
             region.stiffness = Stiffness{Vec3::UnitX(), 1};
         }
         Json json = Json::object();
-        if (!region.name.empty()) json["name"] = region.name;
+        if (!name.empty()) json["name"] = name;
         json["shape"] = regionJson(region.shape);
         if (region.feather != 0) json["feather"] = numberJson(region.feather);
         if (region.phi) json["phi"] = phiJson(*region.phi, m_dimension);
@@ -191,8 +194,9 @@ class ProjectJson {
         const MaterialSpec& spec = m_project.design.material;
         Json json = groupJson("material");
         json["smoothing"] = groupJson("material.smoothing");
-        for (const auto& region : spec.regions)
-            json["regions"].push_back(materialRegionJson(region, spec.phi));
+        for (const MaterialLayer& layer : spec.layers)
+            for (const MaterialRegion& region : layer.regions)
+                json["regions"].push_back(materialRegionJson(layer.name, region, spec.phi));
         if (!spec.cellsFile.empty() && spec.cellsPhi.empty() && spec.cellsB.empty())
             json["cells"] = spec.cellsFile;
         else if (!spec.cellsFile.empty())
@@ -346,15 +350,6 @@ class ProjectJson {
         for (const Pin& handle : m_project.design.handles) json["handles"].push_back(handleJson(handle));
     }
 
-    Json depthJson(const DepthRegion& region) const {
-        Json json = Json::object();
-        if (!region.name.empty()) json["name"] = region.name;
-        json["shape"] = regionJson(region.shape);
-        json["order"] = numberJson(region.order);
-        if (!region.part.empty()) json["part"] = region.part;
-        return withExtras(std::move(json), region.extras);
-    }
-
     // --- View ---
 
     static Json cameraJson(const SavedCamera& camera) {
@@ -403,7 +398,7 @@ class ProjectJson {
 Json ProjectJson::whole() const {
     Json json{{"format", "wend"}, {"version", 1}, {"domain", domainJson()}};
     addDesign(json);
-    for (const DepthRegion& region : m_project.depth) json["depth"].push_back(depthJson(region));
+    addLayers(json, "depth", "order", m_project.depth);
     for (const SettleWindow& window : m_project.settle)
         json["settle"].push_back({{"time", Json::array({numberJson(window.start), numberJson(window.end)})}});
     json["time"] = timeJson();
@@ -447,7 +442,7 @@ std::vector<std::string*> filesOf(Project& project) {
         for (PinMotion& motion : handle.motions)
             if (std::string* file = fileOf(motion.kind)) files.push_back(file);
     }
-    for (MaterialRegion& region : design.material.regions)
+    for (MaterialRegion& region : regionsOf(design.material.layers))
         for (std::string* file :
              {&region.pictures.phi, &region.pictures.stiffness, &region.pictures.direction})
             files.push_back(file);

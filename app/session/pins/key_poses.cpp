@@ -40,7 +40,7 @@ std::vector<CopiedKey> mirroredKeys(const ShapeSession& session, std::vector<Cop
 std::vector<CopiedKey> forSelected(const ShapeSession& session, const std::vector<CopiedKey>& copies) {
     std::set<int> from;
     for (const CopiedKey& copy : copies) from.insert(copy.handle);
-    const std::vector<int>& to = session.selection().handles();
+    const std::vector<int> to = session.selection().handles();
     if (from.size() != 1 || to.empty() || std::ranges::count(to, *from.begin()) > 0) return copies;
     std::vector<CopiedKey> others;
     for (CopiedKey copy : copies)

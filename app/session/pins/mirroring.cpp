@@ -67,6 +67,7 @@ class Imager {
     /// Returns nothing if the image would be outside the shape.
     std::optional<Pin> operator()(const Pin& handle) const {
         Pin image = handle;
+        image.id = newId();
         if (!std::visit([this](auto& at) { return this->move(at); }, image.at)) return {};
         for (PinMotion& motion : image.motions) motion = mirrored(motion, m_mirror);
         if (image.normal) image.normal = m_mirror.along(*image.normal);

@@ -3,9 +3,7 @@
 #include <QCoreApplication>
 
 #include "app/project/domain.h"
-#include "app/project/edits/size_edits.h"
-#include "app/style/mark_size.h"
-#include "app/tools/region_outline.h"
+#include "app/project/edits/value_edits.h"
 
 namespace wend {
 
@@ -43,23 +41,20 @@ void SizeTool::take(const std::vector<Dab>& dabs) {
             QCoreApplication::translate("SizeTool", "The mesh comes from a file and is used as it is."));
         return;
     }
-    std::vector<Ball<3>> balls;
-    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
+    std::vector<SoftRegion> stroke;
+    for (const Dab& one : dabs) {
+        const double feather = view().dimension() == 2 ? featherOf(dabs.front()) : 0.5 * one.radius;
+        stroke.push_back({Ball<3>{one.rest, one.radius}, feather, partOf(dabs.front())});
+    }
     const QString name = factor() < 1   ? QCoreApplication::translate("SizeTool", "Paint finer mesh")
                          : factor() > 1 ? QCoreApplication::translate("SizeTool", "Paint coarser mesh")
                                         : QCoreApplication::translate("SizeTool", "Paint even mesh");
-    if (view().dimension() == 2)
-        document.changeDomain(name, withFlatSizeStroke(document.domain(), balls, featherOf(dabs.front()),
-                                                       factor(), partOf(dabs.front())));
-    else
-        document.changeDomain(name, withSizeStroke(document.domain(), balls, factor()));
+    document.changeSizes(name, withSizeStroke(document.domain().sizes, std::move(stroke), factor()));
 }
 
 void SizeTool::paint(QPainter& painter) const {
     if (view().dimension() == 2) paintMesh(painter, view());
     StrokeTool::paint(painter);
-    if (view().dimension() == 3)
-        paintRegions(painter, view(), brush().regions().now(), QPen(colour(), marked(1.5), Qt::DashLine));
 }
 
 ToolKind detailBrushTool() {

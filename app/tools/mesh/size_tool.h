@@ -6,12 +6,10 @@
 namespace wend {
 
 /// Paints the cell size: a stroke multiplies edge lengths by a factor, with Ctrl resets them, with Shift
-/// divides. Shows the mesh and size regions of a picture, or the selected regions of a solid.
+/// divides. Shows the mesh of a picture.
 class SizeTool : public StrokeTool {
   public:
-    SizeTool(ShapeView& view, Brush& tip) : StrokeTool(view, tip) {
-        QObject::connect(&tip.regions(), &Changing::changed, &m_listener, [&view] { view.redraw(); });
-    }
+    using StrokeTool::StrokeTool;
 
     void paint(QPainter& painter) const override;
 
@@ -22,8 +20,6 @@ class SizeTool : public StrokeTool {
 
   private:
     double factor() const;
-
-    QObject m_listener;  // to the brush
 };
 
 ToolKind detailBrushTool();

@@ -82,13 +82,13 @@ bool hasPaintOf(const MaterialRegion& region, const BrushSettings& brush) {
 }
 
 /// Returns whether a layer takes paint. Hidden layers do not, because the paint would be invisible.
-bool takes(const Design& design, const std::string& layer, const BrushSettings& brush,
-           const ChosenLayer& chosen, const std::string& aim) {
-    if (layer.empty() || isGroupHidden(design, layer)) return false;
-    if (layer == chosen.name && !chosen.aim.empty()) return chosen.aim == aim;
+bool takes(const MaterialLayer& layer, const BrushSettings& brush, const ChosenLayer& chosen,
+           const std::string& aim) {
+    if (layer.name.empty() || layer.isHidden()) return false;
+    if (layer.id == chosen.id && !chosen.aim.empty()) return chosen.aim == aim;
     bool any = false, all = aim == brushAim(brush);
-    for (const auto& region : design.material.regions) {
-        if (region.name != layer || region.erases()) continue;
+    for (const MaterialRegion& region : layer.regions) {
+        if (region.erases()) continue;
         any = true;
         all = all && hasPaintOf(region, brush);
     }
@@ -97,15 +97,13 @@ bool takes(const Design& design, const std::string& layer, const BrushSettings& 
 
 }  // namespace
 
-std::string layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
-                     const std::string& aim, const std::string& kind) {
-    const auto& regions = design.material.regions;
-    const auto isFit = [&](const std::string& layer) {
-        return layerBegin(design, layer) < regions.size() && takes(design, layer, brush, chosen, aim);
-    };
-    if (isFit(chosen.name)) return chosen.name;
-    if (!regions.empty() && isFit(regions.back().name)) return regions.back().name;
-    return freeName(namesOf(regions), kind);
+PaintedLayer layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
+                      const std::string& aim, const std::string& kind) {
+    const std::vector<MaterialLayer>& layers = design.material.layers;
+    const MaterialLayer* topmost = layers.empty() ? nullptr : &layers.back();
+    for (const MaterialLayer* layer : {layerOf(layers, chosen.id), topmost})
+        if (layer && takes(*layer, brush, chosen, aim)) return {layer->id, layer->name};
+    return {.name = freeName(namesOf(layers), kind)};
 }
 
 QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer) {

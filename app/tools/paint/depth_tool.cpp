@@ -2,8 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/project/depth_region.h"
-#include "app/project/edits/depth_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/style/colours.h"
 #include "app/tools/paint/depth_marks.h"
 
@@ -26,13 +25,13 @@ QColor DepthTool::colour() const {
 }
 
 void DepthTool::take(const std::vector<Dab>& dabs) {
-    std::vector<Ball<3>> balls;
-    for (const Dab& one : dabs) balls.push_back({one.rest, one.radius});
+    std::vector<SoftRegion> stroke;
+    for (const Dab& one : dabs) stroke.push_back({Ball<3>{one.rest, one.radius}, 0, partOf(dabs.front())});
     Document& document = session().document();
     document.changeDepth(order() > 0   ? QCoreApplication::translate("DepthTool", "Paint in front")
                          : order() < 0 ? QCoreApplication::translate("DepthTool", "Paint behind")
                                        : QCoreApplication::translate("DepthTool", "Clear depth"),
-                         withDepthStroke(document.depth(), balls, order(), partOf(dabs.front())));
+                         withDepthStroke(document.depth(), std::move(stroke), order()));
 }
 
 void DepthTool::paint(QPainter& painter) const {

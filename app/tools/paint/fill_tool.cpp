@@ -52,12 +52,10 @@ void FillTool::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     const MaterialPaint paint = paintOf(brush, view().dimension());
     const QString what = brushKind(brush, view().dimension());
     const std::string aim = brushAim(brush);
-    const std::string layer = layerFor(design, brush, m_brush.layer().now(), aim, what.toStdString());
-    MaterialRegion region{{}, shape, 0, paint.phi, paint.stiffness};
-    region.part = part;
-    show(withStroke(design, layer, {std::move(region)}),
+    const PaintedLayer layer = layerFor(design, brush, m_brush.layer().now(), aim, what.toStdString());
+    show(withStroke(design, layer, {{{shape, 0, part}, paint.phi, paint.stiffness}}),
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
-    m_brush.layer().set({layer, aim});
+    m_brush.layer().set({layer.id, aim});
 } catch (const InputError& error) {  // a picture of the material is missing
     session().notify(QString::fromStdString(error.what()));
 }

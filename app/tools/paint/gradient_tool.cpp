@@ -39,7 +39,11 @@ QString GradientTool::hint() const {
 /// Returns the part of a picture that a gradient is drawn or moved on; empty: the picture is one.
 const std::string& GradientTool::part() const {
     if (!m_handle) return m_part;
-    return session().document().design().material.regions[m_handle->region].part;
+    return gradientOf(*m_handle).part;
+}
+
+const MaterialRegion& GradientTool::gradientOf(const Handle& handle) const {
+    return layerOf(session().document().design().material.layers, handle.layer)->regions[handle.region];
 }
 
 /// Finds the part that a new gradient begins on. Returns false if it must begin on one and does not.
@@ -67,14 +71,15 @@ std::vector<GradientTool::Handle> GradientTool::handles() const {
     std::vector<Handle> found;
     const FramePtr frame = this->frame();
     if (!frame) return found;
-    const auto& regions = session().document().design().material.regions;
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        const auto* blend = std::get_if<Blend<3>>(&regions[i].shape);
-        if (!blend || isProtected(session().document().domain().parts, regions[i].part)) continue;
-        for (const bool isTo : {false, true})
-            found.push_back(
-                {i, isTo, frame->carriedFromRest(isTo ? blend->to : blend->from, regions[i].part)});
-    }
+    for (const MaterialLayer& layer : session().document().design().material.layers)
+        for (std::size_t i = 0; i < layer.regions.size(); ++i) {
+            const MaterialRegion& region = layer.regions[i];
+            const auto* blend = std::get_if<Blend<3>>(&region.shape);
+            if (!blend || isProtected(session().document().domain().parts, region.part)) continue;
+            for (const bool isTo : {false, true})
+                found.push_back({layer.id, i, isTo,
+                                 frame->carriedFromRest(isTo ? blend->to : blend->from, region.part)});
+        }
     return found;
 }
 
@@ -89,7 +94,8 @@ std::optional<GradientTool::Handle> GradientTool::handleAt(const QPointF& at) co
 /// The design with the end where it was dragged to; nothing where both ends would be one place.
 std::optional<Design> GradientTool::moved() const {
     Design next = session().document().design();
-    auto& blend = std::get<Blend<3>>(next.material.regions[m_handle->region].shape);
+    MaterialLayer* layer = layerOf(next.material.layers, m_handle->layer);
+    auto& blend = std::get<Blend<3>>(layer->regions[m_handle->region].shape);
     (m_handle->isTo ? blend.to : blend.from) = m_to->rest;
     if (blend.from == blend.to) return {};
     return next;
@@ -116,7 +122,7 @@ void GradientTool::press(const QMouseEvent& event) {
     m_from = m_to = endAt(event.position());
     const QString kind = QCoreApplication::translate("GradientTool", "To %1")
                              .arg(brushKind(m_brush.now(), view().dimension()));
-    m_layer = freeName(namesOf(session().document().design().material.regions), kind.toStdString());
+    m_layer = {.name = freeName(namesOf(session().document().design().material.layers), kind.toStdString())};
     if (!m_from) m_frame.reset();
 }
 
@@ -129,7 +135,7 @@ bool GradientTool::isCurrent() const {
 QPointF GradientTool::otherEnd() const {
     if (m_handle)
         for (const Handle& one : handles())
-            if (one.region == m_handle->region && one.isTo != m_handle->isTo)
+            if (one.layer == m_handle->layer && one.region == m_handle->region && one.isTo != m_handle->isTo)
                 return view().onScreen(one.seen);
     return view().onScreen(m_from->seen);
 }
@@ -150,9 +156,8 @@ std::optional<MaterialRegion> GradientTool::region() const {
     const QPointF from = view().onScreen(m_from->seen), to = view().onScreen(m_to->seen);
     if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
     const MaterialPaint paint = paintOf(m_brush.now(), view().dimension(), m_to->rest - m_from->rest);
-    MaterialRegion region{{}, Blend<3>{m_from->rest, m_to->rest}, 0, paint.phi, paint.stiffness};
-    region.part = m_part;
-    return region;
+    return MaterialRegion{
+        {Blend<3>{m_from->rest, m_to->rest}, 0, m_part}, paint.phi, paint.stiffness};
 }
 
 /// Returns the design with the moved end or the new gradient; nothing for a click.
@@ -188,7 +193,7 @@ void GradientTool::release(const QMouseEvent& event) {
         m_handle ? QCoreApplication::translate("GradientTool", "Move gradient")
                  : QCoreApplication::translate("GradientTool", "Blend to %1").arg(what),
         std::move(design));
-    if (!m_handle) m_brush.layer().set({m_layer});
+    if (!m_handle) m_brush.layer().set({m_layer.id});
 }
 
 bool GradientTool::key(const QKeyEvent& event) {
@@ -219,11 +224,11 @@ void GradientTool::paint(QPainter& painter) const {
     };
     const auto ends = handles();
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-        const auto& region = session().document().design().material.regions[ends[i].region];
+        const MaterialRegion& region = gradientOf(ends[i]);
         const QColor colour =
             region.phi ? energyColour(stopOfPhi(*region.phi, view().dimension())) : kStiffColour;
         std::array<QPointF, 2> at = {view().onScreen(ends[i].seen), view().onScreen(ends[i + 1].seen)};
-        if (m_frame && m_handle && m_handle->region == ends[i].region)
+        if (m_frame && m_handle && m_handle->layer == ends[i].layer && m_handle->region == ends[i].region)
             at[m_handle->isTo ? 1 : 0] = view().onScreen(m_to->seen);
         line(at[0], at[1], colour);
     }

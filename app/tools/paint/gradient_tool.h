@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/project/design.h"
+#include "app/project/edits/material_edits.h"
 #include "app/project/project_fwd.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/tool_kind.h"
@@ -29,8 +29,9 @@ class GradientTool : public ShapeTool<> {
     struct End {
         Vec3 rest, seen;
     };
-    /// An end of a gradient that is there, in terms of the project's regions.
+    /// An end of a gradient that is there, by its layer and the place of its region in it.
     struct Handle {
+        Id layer;
         std::size_t region;
         bool isTo;
         Vec3 seen;
@@ -38,6 +39,7 @@ class GradientTool : public ShapeTool<> {
     std::vector<Handle> handles() const;
     std::optional<Handle> handleAt(const QPointF& at) const;
     const std::string& part() const;
+    const MaterialRegion& gradientOf(const Handle& handle) const;
     bool findPart(const QPointF& at);
     std::optional<Design> moved() const;
     bool isCurrent() const;
@@ -53,7 +55,8 @@ class GradientTool : public ShapeTool<> {
     FramePtr m_frame;                          // when the drag began, with its material; null without a drag
     std::shared_ptr<const Project> m_project;  // then
     std::optional<End> m_from, m_to;
-    std::string m_layer, m_part;     // of a new gradient: its name, and the part of the picture
+    PaintedLayer m_layer;            // of a new gradient,
+    std::string m_part;              // and the part of the picture
     std::optional<Handle> m_handle;  // that is dragged, in place of a new gradient
 };
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/project/design.h"
 #include "app/style/colours.h"
 #include "app/style/mark_size.h"
 #include "app/tools/region_outline.h"
@@ -186,16 +185,15 @@ std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, c
     return pieces;
 }
 
-std::vector<MaterialRegion> LayerLines::layerOf(const Design& design) const {
-    std::vector<MaterialRegion> layer;
-    for (const auto& region : design.material.regions)
-        if (region.name == m_name.toStdString()) layer.push_back(region);
-    return layer;
-}
-
 void RegionLines::setRegions(std::vector<MaterialRegion> regions) {
     m_regions = std::move(regions);
     m_rest.reset();
+}
+
+void RegionLines::setRegions(const std::vector<SoftRegion>& regions) {
+    std::vector<MaterialRegion> all;
+    for (const SoftRegion& region : regions) all.push_back({region});
+    setRegions(std::move(all));
 }
 
 void RegionLines::paint(QPainter& painter, PictureShapeView& view) {
@@ -217,22 +215,20 @@ void RegionLines::paint(QPainter& painter, PictureShapeView& view) {
     drawAll(m_lines.border, QPen(QColor(kAccent), marked(2)));
 }
 
-void LayerLines::paint(QPainter& painter, PictureShapeView& view) {
-    const Document& document = view.session().document();
-    const auto& project = document.project();
-    if (m_name.isNull() || !project) return;
-    if (m_project != project || m_drawn != m_name) m_lines.setRegions(layerOf(document.design()));
-    m_project = project, m_drawn = m_name;
-    m_lines.paint(painter, view);
+void RegionLines::paint(QPainter& painter, SolidShapeView& view) const {
+    if (!view.shownFrame()) return;
+    std::vector<Region<3>> shapes;
+    for (const MaterialRegion& region : m_regions)
+        if (!region.erases()) shapes.push_back(region.shape);
+    paintRegions(painter, view, shapes, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
 }
 
-void LayerLines::paint(QPainter& painter, SolidShapeView& view) {
-    const Document& document = view.session().document();
-    if (m_name.isNull() || !view.shownFrame() || document.isEmpty()) return;
-    std::vector<Region<3>> regions;
-    for (const auto& region : layerOf(document.design()))
-        if (!region.erases()) regions.push_back(region.shape);
-    paintRegions(painter, view, regions, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
+void LayerLines::takeLayer(const Document& document) {
+    const auto& project = document.project();
+    if (m_project == project && m_drawn == m_layer) return;
+    const MaterialLayer* layer = project ? layerOf(document.design().material.layers, m_layer) : nullptr;
+    m_lines.setRegions(layer ? layer->regions : std::vector<MaterialRegion>());
+    m_project = project, m_drawn = m_layer;
 }
 
 }  // namespace wend

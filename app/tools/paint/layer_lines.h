@@ -3,7 +3,8 @@
 #include <QPainter>
 #include <vector>
 
-#include "app/project/design.h"
+#include "app/project/edits/document.h"
+#include "app/project/edits/layer_edits.h"
 #include "app/project/project_fwd.h"
 #include "app/tools/shape_tool.h"
 
@@ -20,11 +21,13 @@ RestLines linesOf(const std::vector<MaterialRegion>& layer, const SimplicialMesh
 std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
                                              const PointLocator<2>& locator, const Points<2>& pose);
 
-/// Draws regions of a picture where they are now.
+/// Draws regions where they are now.
 class RegionLines {
   public:
     void setRegions(std::vector<MaterialRegion> regions);
+    void setRegions(const std::vector<SoftRegion>& regions);
     void paint(QPainter& painter, PictureShapeView& view);
+    void paint(QPainter& painter, SolidShapeView& view) const;
 
   private:
     std::vector<MaterialRegion> m_regions;
@@ -35,17 +38,20 @@ class RegionLines {
 /// Draws the layer that is chosen, where it is now.
 class LayerLines {
   public:
-    void setLayer(const QString& name) { m_name = name; }
-    void paint(QPainter& painter, PictureShapeView& view);
-    void paint(QPainter& painter, SolidShapeView& view);
+    void setLayer(Id layer) { m_layer = layer; }
+    template <class View>
+    void paint(QPainter& painter, View& view) {
+        takeLayer(view.session().document());
+        m_lines.paint(painter, view);
+    }
 
   private:
-    std::vector<MaterialRegion> layerOf(const Design& design) const;
+    void takeLayer(const Document& document);
 
-    QString m_name;  // null: none
+    Id m_layer = Id::None;
     std::shared_ptr<const Project> m_project;
-    QString m_drawn;
-    RegionLines m_lines;  // of that name and project; in the plane
+    Id m_drawn = Id::None;
+    RegionLines m_lines;  // of that layer and project
 };
 
 }  // namespace wend

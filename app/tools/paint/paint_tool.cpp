@@ -62,7 +62,11 @@ void PaintTool::begin() {
     m_material = EditedMaterial::of(view().shownFrame(), session().document().folder().toStdString());
     m_layer = layer();
     m_regions.clear();
-    m_first = deed() == Deed::Erase ? 0 : layerBegin(design, m_layer);
+    m_first = 0;
+    if (deed() != Deed::Erase)
+        m_first = static_cast<std::size_t>(
+            std::ranges::find(design.material.layers, m_layer.id, &MaterialLayer::id) -
+            design.material.layers.begin());
 }
 
 /// Maps directions of the view back to rest.
@@ -143,8 +147,7 @@ Stiffness PaintTool::stiffnessFor(const std::vector<Dab>& dabs, std::size_t i) c
 }
 
 MaterialRegion PaintTool::regionOf(const std::vector<Dab>& dabs, std::size_t i) const {
-    MaterialRegion region{{}, ballOf(dabs[i]), featherOf(dabs[i]), {}, {}};
-    region.part = partOf(dabs[i]);
+    MaterialRegion region{{ballOf(dabs[i]), featherOf(dabs[i]), partOf(dabs[i])}};
     if (brush().now().target == BrushTarget::Keep)
         region.phi = phiFor(dabs[i]);
     else
@@ -184,7 +187,7 @@ std::string PaintTool::aim() const {
     return deed() == Deed::Smooth ? "smooth" : brushAim(brush().now());
 }
 
-std::string PaintTool::layer() const {
+PaintedLayer PaintTool::layer() const {
     const QString kind = deed() == Deed::Smooth ? QCoreApplication::translate("PaintTool", "Smoothed")
                                                 : brushKind(brush().now(), view().dimension());
     return layerFor(session().document().design(), brush().now(), brush().layer().now(), aim(),
@@ -194,7 +197,7 @@ std::string PaintTool::layer() const {
 /// Names the step, with its place if that has a name: "Paint Rigid on Neck".
 QString PaintTool::title(const std::vector<Dab>& dabs) const {
     const bool erases = deed() == Deed::Erase;
-    const QString where = placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer);
+    const QString where = placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer.name);
     const auto with = [&](const char* somewhere, const char* bare) {
         return where.isEmpty() ? QCoreApplication::translate("PaintTool", bare)
                                : QCoreApplication::translate("PaintTool", somewhere).arg(where);
@@ -232,7 +235,7 @@ void PaintTool::take(const std::vector<Dab>& dabs) {
         session().notify(QCoreApplication::translate(
             "PaintTool", "There is no direction to follow: the numbers on the right were used."));
     session().document().changeDesign(title(dabs), std::move(next));
-    if (!erases) brush().layer().set({m_layer, aim()});
+    if (!erases) brush().layer().set({m_layer.id, aim()});
 }
 
 ToolKind paintTool() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/engine/motion/edited_material.h"
+#include "app/project/edits/material_edits.h"
 #include "app/tools/stroke_tool.h"
 #include "app/tools/tool_kind.h"
 
@@ -40,7 +41,7 @@ class PaintTool : public StrokeTool {
     Vec3 directionOf(const std::vector<Dab>& dabs, std::size_t i) const;
     double amountOf(const Dab& dab) const;
     std::vector<int> cellsIn(const Dab& dab) const;
-    std::string layer() const;
+    PaintedLayer layer() const;
     QString title(const std::vector<Dab>& dabs) const;
     std::string aim() const;
     Design painted(const std::vector<Dab>& dabs);
@@ -48,9 +49,9 @@ class PaintTool : public StrokeTool {
 
     Deed m_deed;
     std::unique_ptr<EditedMaterial> m_material;  // when the stroke began
-    std::string m_layer;                         // of the stroke
+    PaintedLayer m_layer;                        // of the stroke
     std::vector<MaterialRegion> m_regions;       // as much of the stroke as is settled
-    std::size_t m_first = 0;                     // the first region that it may change
+    std::size_t m_first = 0;                     // the first layer that it may change
 };
 
 ToolKind paintTool();

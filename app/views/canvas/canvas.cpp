@@ -374,11 +374,11 @@ void ShapeCanvas::takeView(const ShapeCanvas& other) {
     if (std::exchange(m_view, other.m_view) != other.m_view) render();
 }
 
-void ShapeCanvas::setDetailRegions(const std::vector<MaterialRegion>& regions) {
+void ShapeCanvas::setDetailRegions(const std::vector<SoftRegion>& regions) {
     m_detailRegions.setRegions(regions), update();
 }
 
-void ShapeCanvas::setDepthRegions(const std::vector<MaterialRegion>& regions) {
+void ShapeCanvas::setDepthRegions(const std::vector<SoftRegion>& regions) {
     m_depthRegions.setRegions(regions), update();
 }
 

@@ -63,8 +63,8 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
 
   public slots:
     /// Draws the border of other regions; none: of none.
-    void setDetailRegions(const std::vector<wend::MaterialRegion>& regions);
-    void setDepthRegions(const std::vector<wend::MaterialRegion>& regions);
+    void setDetailRegions(const std::vector<wend::SoftRegion>& regions);
+    void setDepthRegions(const std::vector<wend::SoftRegion>& regions);
     /// Fits the view to the shape, and again whenever the window's size changes, until the user moves the
     /// view.
     void fit() { fitTo(Fitted::Pose); }

@@ -6,6 +6,7 @@
 #include "app/engine/motion/rest_frame.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/group_list.h"
+#include "app/project/id.h"
 #include "app/style/colour_map.h"
 
 namespace wend {
@@ -33,7 +34,7 @@ struct Looks {
     bool flat = false;   // each facet of it by itself
     MapLook colours;     // of the map
     GroupMarks groups;   // of the mesh's file, to be marked; null: none
-    QString layer;       // the layer whose border is drawn; null for none
+    Id layer = Id::None;  // the layer whose border is drawn
     QColor backdrop;     // invalid: the view's own
     FramePtr standIn;    // in the place of the session's frame; null: none
 };

@@ -198,6 +198,11 @@ void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
     redraw();
 }
 
+void SolidCanvas::setDetailRegions(const std::vector<SoftRegion>& regions) {
+    m_detailRegions.setRegions(regions);
+    m_overlay->update();
+}
+
 void SolidCanvas::showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around) {
     setPicture(std::move(picture), false);
     camera().lookAlong(direction);

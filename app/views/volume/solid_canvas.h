@@ -72,6 +72,8 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     void showSolid();
     /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);
+    /// Outlines regions; none if empty.
+    void setDetailRegions(const std::vector<wend::SoftRegion>& regions);
     /// Turns the view.
     void lookAlong(const Vec<3>& direction);
     /// Draws all overlays.
@@ -133,6 +135,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     int m_pointedCell = -1;                   // requested by showCell() …
     std::shared_ptr<const void> m_pointedOf;  // … of this mesh
     LayerLines m_layer;
+    RegionLines m_detailRegions;
     OnionSkin<3> m_onion;
     QWidget* m_overlay;
     Viewport m_viewport;

@@ -36,6 +36,7 @@ void SolidCanvas::paintOver(QPainter& painter) {
     if (m_viewport.looks().hidden || !m_session.frame<3>()) return;
     m_layer.setLayer(m_viewport.looks().layer);
     m_layer.paint(painter, *this);
+    m_detailRegions.paint(painter, *this);
     if (!m_session.playback().isPlaying()) {
         m_cutTool.paint(painter);
         if (const Tool* tool = m_viewport.tool()) tool->paint(painter);

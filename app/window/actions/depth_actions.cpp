@@ -4,9 +4,8 @@
 #include <QInputDialog>
 #include <algorithm>
 
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
-#include "app/project/edits/depth_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/project/options/options.h"
 #include "app/session/calm_follower.h"
 #include "app/session/shape_session.h"
@@ -16,10 +15,10 @@ namespace wend {
 namespace {
 
 /// The least or the largest order that there is, 0 among them.
-double extreme(const DepthRegions& depth, bool maximum) {
+double extreme(const ValueLayers& depth, bool maximum) {
     double order = 0;
-    for (const DepthRegion& region : depth)
-        order = maximum ? std::max(order, region.order) : std::min(order, region.order);
+    for (const ValueLayer& layer : depth)
+        order = maximum ? std::max(order, layer.value) : std::min(order, layer.value);
     return order;
 }
 

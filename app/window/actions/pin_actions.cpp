@@ -158,7 +158,7 @@ void PinActions::fill(QMenu& menu) const {
     menu.addAction(holdThroughout);
 }
 
-const std::vector<int>& PinActions::selected() const {
+std::vector<int> PinActions::selected() const {
     return m_session.selection().handles();
 }
 
@@ -184,11 +184,10 @@ void PinActions::connectActions() {
 }
 
 void PinActions::refresh() {
-    const bool has = m_session.frame() && !selected().empty() && selected().back() < m_session.handleCount();
-    const auto count = [&](auto test) {
-        return has ? std::count_if(selected().begin(), selected().end(), test) : 0;
-    };
-    const auto all = static_cast<std::ptrdiff_t>(selected().size());
+    const std::vector<int> selected = this->selected();
+    const bool has = m_session.frame() && !selected.empty();
+    const auto count = [&](auto test) { return has ? std::ranges::count_if(selected, test) : 0; };
+    const auto all = std::ssize(selected);
     const auto traits = [this](int h) -> const PinTraits& {
         return traitsOf(m_session.document().design(), h);
     };
@@ -202,7 +201,7 @@ void PinActions::refresh() {
     enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
-    enable(holdThroughout, has && canHoldLonger(m_session, selected()),
+    enable(holdThroughout, has && canHoldLonger(m_session, selected),
            has ? tr("The selected pin already holds for the whole animation.") : none);
     bool anyHidden = false;
     for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)

@@ -41,7 +41,7 @@ class PinActions : public ActionMaker {
     void makeColours();
     void connectActions();
     void refresh();
-    const std::vector<int>& selected() const;
+    std::vector<int> selected() const;
     void askGroup();
     void askColour();
 

@@ -91,7 +91,7 @@ void Tutorial::makePages() {
         {tr("The same for a part only: <b>press Ctrl+3</b> for the step <i>Paint</i>, and <b>brush over the "
             "neck</b>. "
             "[ and ] change the size of the brush."),
-         [&document] { return document.design().material.regions.size(); }},
+         [&document] { return std::ranges::distance(regionsOf(document.design().material.layers)); }},
         {tr("Your drag is already a film: <b>press K</b> to play it. Click into the strip below to go to a "
             "time, and "
             "drag on from there."),

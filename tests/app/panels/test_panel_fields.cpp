@@ -528,7 +528,7 @@ void TestPanelFields::hintsFitBesideTheNumbers() {
         }
     }
     QVERIFY(cut > 0);
-    QStatusTipEvent sizes(m_f->window().findChild<QWidget*>(QStringLiteral("sizeList"))->statusTip());
+    QStatusTipEvent sizes(m_f->window().findChild<QWidget*>(QStringLiteral("detailRegions"))->statusTip());
     QCoreApplication::sendEvent(&m_f->window(), &sizes);
     QVERIFY2(bar.currentMessage().endsWith('.'), qPrintable(bar.currentMessage()));
     QStatusTipEvent none{QString()};

@@ -29,6 +29,7 @@
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/work_note.h"
+#include "tests/support/layers.h"
 #include "tests/support/pictures.h"
 #include "tests/support/solid_fixture.h"
 #include "warp/inpaint.h"
@@ -496,7 +497,7 @@ void TestPartList::paintBelongsToParts() {
     m_f->window().properties().brush().set(brush);
     stroke();
     QVERIFY(settle(session));
-    QCOMPARE(session.document().design().material.regions.front().part, std::string("bar"));
+    QCOMPARE(regionsIn(session.document().design()).front().part, std::string("bar"));
     QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
     QVERIFY(painted(1) && !painted(0));
     undo().undo();
@@ -517,7 +518,7 @@ void TestPartList::gradientsAndFillsBelongToParts() {
     BrushSettings brush = m_f->window().properties().brush().now();
     brush.phi = phi::kAkvf;
     m_f->window().properties().brush().set(brush);
-    const auto regions = [&] { return session.document().design().material.regions; };
+    const auto regions = [&] { return regionsIn(session.document().design()); };
     m_f->tool("gradient")->trigger();
     stroke({{75, 35}, {80, 37}, {85, 45}});
     QCOMPARE(regions().size(), std::size_t{1});
@@ -555,14 +556,14 @@ void TestPartList::detailBelongsToParts() {
     m_f->window().tools().setMode(Mode::Mesh);
     m_f->tool("sizes")->trigger();
     stroke({{70, 35}, {75, 40}});
-    QCOMPARE(sizes().front().part, std::string("bar"));
+    QCOMPARE(sizes().front().regions.front().part, std::string("bar"));
     QVERIFY(pointsOf("board") == board);
     QVERIFY(near(pointsOf("bar")) > near(bar));
     const QByteArray written = QByteArray::fromStdString(toJson(*session.document().project()));
     const QJsonObject domain = QJsonDocument::fromJson(written)["domain"].toObject();
     QCOMPARE(domain["sizes"][0]["part"].toString(), QString("bar"));
     list().item(1)->setText("arm");
-    QTRY_COMPARE(sizes().front().part, std::string("arm"));
+    QTRY_COMPARE(sizes().front().regions.front().part, std::string("arm"));
     QVERIFY(settle(session));
     const Points<2> finer = pointsOf("arm");
     QVERIFY(near(finer) > near(bar));

@@ -1,16 +1,23 @@
 #include <QDoubleSpinBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QToolButton>
 #include <QUndoStack>
+#include <set>
 
 #include "app/panels/region_list.h"
-#include "app/project/edits/depth_edits.h"
 #include "app/project/edits/handle_edits.h"
-#include "app/project/edits/region_edits.h"
+#include "app/project/edits/layer_edits.h"
+#include "app/project/edits/value_edits.h"
+#include "app/project/file/project_reader.h"
+#include "app/project/file/project_writer.h"
 #include "app/project/project.h"
 #include "tests/support/bar.h"
+#include "tests/support/layers.h"
 
 using namespace wend;
 using namespace wend::test;
@@ -22,7 +29,7 @@ class TestRegionList : public QObject {
   private slots:
     void init();
     void cleanup() { m_f.reset(); }
-    void groupsOfOneName();
+    void layersOfAFile();
     void strokesAreListed_data() { kinds(); }
     void strokesAreListed();
     void chosenOnesAreOutlined_data() { kinds(); }
@@ -38,9 +45,9 @@ class TestRegionList : public QObject {
         Properties& side = m_f->window().properties();
         return of == RegionsOf::Detail ? side.detailRegions() : side.depthRegions();
     }
-    std::vector<NamedRegions> groups(RegionsOf of) {
+    ValueLayers layers(RegionsOf of) {
         const Project& project = m_f->project();
-        return of == RegionsOf::Detail ? namedRegions(project.domain.sizes) : namedRegions(project.depth);
+        return of == RegionsOf::Detail ? project.domain.sizes : project.depth;
     }
     QUndoStack& undo() { return *m_f->session().document().undoStack(); }
 
@@ -80,36 +87,49 @@ bool TestRegionList::brush(double fromU, double toU) {
     return settle(m_f->session());
 }
 
-/// Those without a name stand alone; a name that is taken gets a number.
-void TestRegionList::groupsOfOneName() {
-    DepthRegions depth;
+/// In a file, consecutive regions of one name and value are a layer; those without a name are layers of their
+/// own. A name that is taken gets a number.
+void TestRegionList::layersOfAFile() {
+    QJsonArray list;
     const auto add = [&](const char* name, double order) {
-        depth.push_back({name, Ball<3>{{order, 0, 0}, 1}, order});
+        const QJsonObject circle{{"centre", QJsonArray{order, 0}}, {"radius", 1}};
+        list << QJsonObject{{"name", name}, {"shape", QJsonObject{{"circle", circle}}}, {"order", order}};
     };
-    add("a", 1), add("", 2), add("b", 3), add("a", 4), add("", 5);
-    const auto all = namedRegions(depth);
-    QCOMPARE(all.size(), std::size_t(4));
-    QVERIFY(all[0].name == "a" && all[0].regions.size() == 2 && all[0].value == 1);
-    QVERIFY(all[1].name.empty() && all[1].regions.size() == 1 && all[3].value == 5);
-    const DepthRegions renamed = withRegionsName(depth, 2, "a");
-    QVERIFY(renamed[2].name == "a 2" && renamed[0].name == "a");
-    QVERIFY(withRegionsName(depth, 1, "c")[1].name == "c");
-    // A pin that gives an order has its regions' name, and none takes that of another.
+    add("a", 1), add("a", 1), add("a", 4), add("", 5), add("", 5), add("b", 3), add("a", 4);
     Project project;
-    project.depth = depth;
-    auto& handles = project.design.handles;
-    handles.push_back({"b", std::vector<Vec3>{{3, 0, 0}}, {}});
-    handles.push_back({"d", std::vector<Vec3>{{4, 0, 0}}, {}});
-    const Project both = withDepthName(project, 2, "e");
-    QVERIFY(both.depth[2].name == "e" && depthOfHandle(both.depth, "e") == 3);
-    QVERIFY(both.design.handles[0].name == "e");
-    QVERIFY(withDepthName(project, 2, "d").depth[2].name == "d 2");
-    const DepthRegions without = withoutRegions(depth, 0);
-    QVERIFY(without.size() == 3 && without[0].order == 2 && without[1].name == "b");
-    const DepthRegions changed = withRegionsValue(depth, 0, -1);
-    QVERIFY(changed[0].order == -1 && changed[3].order == -1 && changed[1].order == 2);
-    QVERIFY(withoutRegions(depth, 7) == depth);
-    QVERIFY(namedRegions(std::vector<SizeRegion>()).empty());
+    project.domain.path = "a.png";
+    project.design.handles = {{"b", std::vector<Vec3>{{3, 0, 0}}, {}}, {"d", std::vector<Vec3>{{4, 0, 0}}, {}}};
+    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(toJson(project))).object();
+    json["depth"] = list;
+    project = *parseProject(QJsonDocument(json).toJson().toStdString(), "p.wend").project;
+    const ValueLayers& depth = project.depth;
+    QCOMPARE(depth.size(), std::size_t(6));
+    QVERIFY(depth[0].regions.size() == 2 && depth[0].value == 1 && depth[1].value == 4);
+    QVERIFY(depth[2].name.empty() && depth[3].name.empty() && depth[5].name == "a");
+    const QJsonObject written = QJsonDocument::fromJson(QByteArray::fromStdString(toJson(project))).object();
+    const auto valuesIn = [](const QJsonArray& regions) {
+        std::vector<std::pair<QString, double>> all;
+        for (const QJsonValue& one : regions) all.emplace_back(one["name"].toString(), one["order"].toDouble());
+        return all;
+    };
+    QCOMPARE(valuesIn(written["depth"].toArray()), valuesIn(list));
+    std::set<Id> ids;
+    for (const ValueLayer& layer : depth) ids.insert(layer.id);
+    QCOMPARE(ids.size(), depth.size());
+    // Edits change the layer of an id and keep all ids.
+    const ValueLayers renamed = withLayerName(depth, depth[4].id, "a");
+    QVERIFY(renamed[4].name == "a 2" && renamed[4].id == depth[4].id && renamed[0].name == "a");
+    const ValueLayers without = withoutLayer(depth, depth[0].id);
+    QVERIFY(without.size() == 5 && without[0].value == 4 && without[0].id == depth[1].id);
+    QVERIFY(withoutLayer(depth, Id::None) == depth && !layerOf(depth, Id::None));
+    const ValueLayers moved = withLayerMoved(depth, depth[1].id, 2);
+    QVERIFY(moved[3].id == depth[1].id && moved[1].id == depth[2].id && moved[0].id == depth[0].id);
+    QVERIFY(withLayerMoved(depth, depth[1].id, -9)[0].id == depth[1].id);
+    // A pin that gives an order has its layer's name, and none takes that of another.
+    const Project both = withDepthName(project, depth[4].id, "e");
+    QVERIFY(both.depth[4].name == "e" && depthOfHandle(both.depth, "e") == 3);
+    QCOMPARE(both.design.handles[0].name, std::string("e"));
+    QCOMPARE(withDepthName(project, depth[4].id, "d").depth[4].name, std::string("d 2"));
 }
 
 /// The last one on top, with its number, which can be changed; renamed by typing, and removed. Each is a
@@ -126,10 +146,10 @@ void TestRegionList::strokesAreListed() {
     QVERIFY(list.isHidden() && part("Remove")->isHidden());
     QVERIFY(brush(-1.2, -0.9) && brush(0.8, 1.2));
     QCOMPARE(list.count(), 2);
-    QCOMPARE(list.item(0)->text(), QString::fromStdString(groups(of)[1].name));
-    QCOMPARE(list.item(1)->text(), QString::fromStdString(groups(of)[0].name));
+    QCOMPARE(list.item(0)->text(), QString::fromStdString(layers(of)[1].name));
+    QCOMPARE(list.item(1)->text(), QString::fromStdString(layers(of)[0].name));
     auto* value = qobject_cast<QDoubleSpinBox*>(part("Value"));
-    const double before = groups(of)[0].value, other = groups(of)[1].value;
+    const double before = layers(of)[0].value, other = layers(of)[1].value;
     QCOMPARE(list.currentRow(), 0);  // what was brushed just now can be changed at once
     QVERIFY(part("Remove")->isEnabled() && value->isEnabled());
     QCOMPARE(value->value(), (of == RegionsOf::Detail ? 100 : 1) * other);
@@ -140,10 +160,10 @@ void TestRegionList::strokesAreListed() {
     value->selectAll();
     QTest::keyClicks(value, of == RegionsOf::Detail ? QStringLiteral("30") : QStringLiteral("3"));
     QTest::keyClick(value, Qt::Key_Return);
-    QCOMPARE(groups(of)[0].value, of == RegionsOf::Detail ? 0.3 : 3);
-    QCOMPARE(groups(of)[1].value, other);
+    QCOMPARE(layers(of)[0].value, of == RegionsOf::Detail ? 0.3 : 3);
+    QCOMPARE(layers(of)[1].value, other);
     undo().undo();
-    QCOMPARE(groups(of)[0].value, before);
+    QCOMPARE(layers(of)[0].value, before);
     QCOMPARE(list.currentRow(), 1);
     // Another name.
     list.setFocus();
@@ -153,16 +173,16 @@ void TestRegionList::strokesAreListed() {
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("Knee"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QVERIFY(QTest::qWaitFor([&] { return groups(of)[0].name == "Knee"; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return layers(of)[0].name == "Knee"; }, 20000));
     QCOMPARE(list.currentItem()->text(), QStringLiteral("Knee"));
     // Away, and back.
     const int count = undo().count();
     QTest::mouseClick(part("Remove"), Qt::LeftButton);
-    QCOMPARE(groups(of).size(), std::size_t(1));
+    QCOMPARE(layers(of).size(), std::size_t(1));
     QCOMPARE(undo().count(), count + 1);
     QCOMPARE(list.count(), 1);
     undo().undo();
-    QVERIFY(groups(of).size() == 2 && groups(of)[0].name == "Knee" && list.count() == 2);
+    QVERIFY(layers(of).size() == 2 && layers(of)[0].name == "Knee" && list.count() == 2);
     QCOMPARE(list.currentRow(), 1);  // what came back, not the topmost
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("regions-%1").arg(kind));
@@ -180,7 +200,7 @@ void TestRegionList::chosenOnesAreOutlined() {
         [[maybe_unused]] const bool settled = QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000);
         return canvas.grab().toImage();
     };
-    const auto ball = std::get<Ball<3>>(groups(of)[0].regions[0].shape);
+    const auto ball = std::get<Ball<3>>(layers(of)[0].regions[0].shape);
     const QPoint edge = canvas.toWidget(inPlane(ball.centre) - Vec<2>(0, ball.radius)).toPoint();
     const auto differAtTheEdge = [&](const QImage& a, const QImage& b) {
         for (int y = -3; y <= 3; ++y)
@@ -204,9 +224,9 @@ void TestRegionList::chosenOnesAreOutlined() {
 void TestRegionList::whatAFileHasIsListed() {
     QVERIFY(open(RegionsOf::Depth));
     Project next = m_f->project();
-    next.depth = {{"", Box<3>{{40, 60, 0}, {80, 100, 0}}, 1},
-                  {"", Polygon{{{100, 60}, {140, 60}, {120, 100}}}, -2},
-                  {"", HalfSpace<3>{{180, 80, 0}, {1, 0, 0}}, 3}};
+    next.depth = {layerWith("", 1, Box<3>{{40, 60, 0}, {80, 100, 0}}),
+                  layerWith("", -2, Polygon{{{100, 60}, {140, 60}, {120, 100}}}),
+                  layerWith("", 3, HalfSpace<3>{{180, 80, 0}, {1, 0, 0}})};
     m_f->session().document().change(QStringLiteral("Depth"), next);
     QVERIFY(settle(m_f->session()));
     QListWidget& list = *panel(RegionsOf::Depth).list();

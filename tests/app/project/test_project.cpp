@@ -13,6 +13,7 @@
 #include "app/project/options/settings.h"
 #include "app/project/project.h"
 #include "core/base/error.h"
+#include "tests/support/layers.h"
 #include "tests/support/quoted.h"
 
 using namespace wend;
@@ -234,10 +235,11 @@ class TestProject : public QObject {
         const std::string text = toJson(elastic);
         QVERIFY(text.find("\"memory\": \"elastic\"") != std::string::npos);
         QVERIFY(std::isinf(planar(*parseProject(text, "p.wend").project).material.memory));
-        QCOMPARE(material.regions.size(), std::size_t(5));
-        QCOMPARE(material.regions[0].feather, 12.0);
-        QCOMPARE(material.regions[1].stiffness->ratio, 20.0);
-        QCOMPARE(*material.regions[2].phi, std::numbers::pi - std::atan(0.5));
+        const std::vector<MaterialRegion> regions = test::regionsIn(planar(project));
+        QCOMPARE(regions.size(), std::size_t(5));
+        QCOMPARE(regions[0].feather, 12.0);
+        QCOMPARE(regions[1].stiffness->ratio, 20.0);
+        QCOMPARE(*regions[2].phi, std::numbers::pi - std::atan(0.5));
         QCOMPARE(material.cellB[1](0, 1), 0.5);
         const auto& handles = planar(project).handles;
         QCOMPARE(std::get<std::vector<int>>(handles[1].at), (std::vector<int>{3, 4}));
@@ -322,7 +324,7 @@ class TestProject : public QObject {
         QVERIFY(domain.refineSurface && domain.repair);
         QCOMPARE(domain.largestHole, 12);
         QCOMPARE(domain.sizesFile, std::string("paint.txt"));
-        QCOMPARE(domain.sizes.at(0).factor, 0.25);
+        QCOMPARE(domain.sizes.at(0).value, 0.25);
         QCOMPARE(domain.sizes.at(0).name, std::string("tip"));
         QCOMPARE(domain.detail, std::string("fine.obj"));
         QCOMPARE(loaded.warnings.size(), std::size_t(1));
@@ -345,8 +347,8 @@ class TestProject : public QObject {
         const LoadedProject loaded = parseProject(text, "p.wend");
         QVERIFY(loaded.warnings.empty());
         const auto& sizes = loaded.project->domain.sizes;
-        QCOMPARE(sizes.at(0).part, std::string("arm"));
-        QVERIFY(sizes.at(1).part.empty());
+        QCOMPARE(sizes.at(0).regions.at(0).part, std::string("arm"));
+        QVERIFY(sizes.at(1).regions.at(0).part.empty());
         const std::string once = toJson(*loaded.project);
         QVERIFY(parseProject(once, "p.wend").project->domain.sizes == sizes);
         QVERIFY(once.find("\"part\": \"arm\"") != std::string::npos);
@@ -508,7 +510,7 @@ class TestProject : public QObject {
                                        "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),
                           "p.wend")
                  .project;
-        project.design.material.regions[0].shape = Box<3>{{0, 0, 0}, {1, 1, 0}};
+        project.design.material.layers[0].regions[0].shape = Box<3>{{0, 0, 0}, {1, 1, 0}};
         QVERIFY(toJson(project).find("glow") == std::string::npos);
     }
 

@@ -444,12 +444,11 @@ void TestComparison::takePaintAway() {
     QVERIFY(settle(session));
     const Points<Dim> before = session.template frame<Dim>()->pose;
     MaterialRegion stiff;
-    stiff.name = "Stiff";
     stiff.shape = HalfSpace<3>{Vec3::Zero(), Vec3::Unit(1)};
     stiff.stiffness = Stiffness{Vec3::Unit(0), 300};
     const auto project = copyOf(*session.document().project());
     Design design = session.document().design();
-    design.material.regions.push_back(stiff);
+    design.material.layers.push_back({"Stiff", {stiff}});
     designOf(*project) = design;
     session.document().change(QStringLiteral("paint"), project);
     QCOMPARE(choice->itemText(choice->count() - 1), unpainted);

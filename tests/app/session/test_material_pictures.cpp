@@ -22,6 +22,7 @@
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/layers.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/solid_fixture.h"
 
@@ -80,10 +81,7 @@ Material<2> materialOf(const Project& project) {
 }
 
 MaterialRegion& addRegion(Project& project, const Box<3>& box) {
-    auto& regions = project.design.material.regions;
-    regions.push_back({});
-    regions.back().shape = box;
-    return regions.back();
+    return project.design.material.layers.emplace_back(layerWith({}, {{box}})).regions.front();
 }
 
 }  // namespace
@@ -129,9 +127,8 @@ void TestMaterialPictures::everythingComesBack() {
     project.domain.path = writeCutOut(folder).toStdString();
     project.domain.outline = OutlineKind::Alpha;
     project.domain.vertices = 200;
-    auto& regions = project.design.material.regions;
-    regions.push_back(
-        {"ramp", Blend<3>{{20, 80, 0}, {220, 80, 0}}, 0, phi::conformal(2), Stiffness{{1, 2, 0}, 500}});
+    project.design.material.layers.push_back(layerWith(
+        "ramp", {{Blend<3>{{20, 80, 0}, {220, 80, 0}}}, phi::conformal(2), Stiffness{{1, 2, 0}, 500}}));
     const Shape<2> shape = std::get<Shape<2>>(loadShape(project, {}));
     const PictureFrame frame = pictureFrame(240, 160, *shape.rest);
     MaterialPictures pictures;
@@ -229,7 +226,7 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     writeProject(path, project);
     QVERIFY(readTextFile(path).find("\"phi\": \"ramp.png\"") != std::string::npos);
     const Project read = *readProject(path).project;
-    const auto& back = read.design.material.regions.at(0);
+    const auto& back = read.design.material.layers.at(0).regions.at(0);
     QVERIFY(back.hidden && back.pictures.up && back.pictures.phi == "ramp.png" && !back.phi);
     QCOMPARE(toJson(read), toJson(*readProject(path).project));
     RunOutputs outputs;
@@ -354,7 +351,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     const QRect row = list.visualItemRect(list.item(0));
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, QPoint(row.left() + 10, row.center().y()));
     QVERIFY(settle(session));
-    QVERIFY(isGroupHidden(session.document().design(), "ramp"));
+    QVERIFY(session.document().design().material.layers.at(0).isHidden());
     QCOMPARE(phiAt({200, 80}), phi::kMetr);
     QCOMPARE(session.document().undoStack()->undoText(), LayerPanel::tr("Hide layer"));
     f.window().actions().undo->trigger();
@@ -370,13 +367,13 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     MaterialRegion all;
     all.shape = Box<3>{{0, 0, 0}, {240, 160, 0}};
     all.phi = phi::kAkvf;
-    session.document().changeDesign("Box", withStroke(session.document().design(), "Box 1", {all}));
+    session.document().changeDesign("Box", withStroke(session.document().design(), {.name = "Box 1"}, {all}));
     QVERIFY(settle(session));
     QCOMPARE(phiAt({40, 80}), phi::kAkvf);
     QVERIFY(list.model()->moveRow({}, 1, {}, 0));
     QVERIFY(settle(session));
     QTRY_VERIFY(phiAt({40, 80}) > 2);
-    QCOMPARE(regionGroups(session.document().design()).back().name, std::string("ramp"));
+    QCOMPARE(session.document().design().material.layers.back().name, std::string("ramp"));
 }
 
 void TestMaterialPictures::brokenPicturesAreTold() {

@@ -17,7 +17,6 @@
 #include "app/engine/shape/part_seam.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/run.h"
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/file/project_reader.h"
@@ -25,6 +24,7 @@
 #include "core/base/error.h"
 #include "core/integration/deformer.h"
 #include "core/meshing/outline_combination.h"
+#include "tests/support/layers.h"
 #include "tests/support/pictures.h"
 #include "warp/convert.h"
 #include "warp/inpaint.h"
@@ -150,7 +150,7 @@ void TestParts::projectsAreKept() {
                                                   "part": "arm"}]})");
     QVERIFY(domainOf(*first.project).parts.front().locked);
     QCOMPARE(depthOf(*first.project).front().part, std::string("arm"));
-    QCOMPARE(designOf(*first.project).material.regions.front().part, std::string("arm"));
+    QCOMPARE(regionsIn(designOf(*first.project)).front().part, std::string("arm"));
     QCOMPARE(first.warnings.size(), std::size_t{2});  // mood, of
     const std::string text = toJson(*first.project);
     const LoadedProject second = parseProject(text, at("project.wend").toStdString());

@@ -12,6 +12,7 @@
 #include "core/integration/deformer.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
+#include "tests/support/layers.h"
 
 using namespace wend;
 
@@ -93,8 +94,8 @@ class TestShape : public QObject {
     void regionsBlendPhi() {
         MaterialSpec spec;
         spec.phi = 1;
-        spec.regions.push_back({"", Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0, 2.0, {}});
-        spec.regions.push_back({"", Box<3>{{-1, 3, 0}, {9, 9, 0}}, 0, 0.5, {}});
+        spec.layers.push_back(test::layerWith("", {{Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0}, 2.0, {}}));
+        spec.layers.push_back(test::layerWith("", {{Box<3>{{-1, 3, 0}, {9, 9, 0}}, 0}, 0.5, {}}));
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -109,7 +110,7 @@ class TestShape : public QObject {
     void featherIsSmooth() {
         MaterialSpec spec;
         spec.phi = 1;
-        spec.regions.push_back({"", HalfSpace<3>{{20, 0, 0}, {1, 0, 0}}, 10, 2.0, {}});
+        spec.layers.push_back(test::layerWith("", {{HalfSpace<3>{{20, 0, 0}, {1, 0, 0}}, 10}, 2.0, {}}));
         const SimplicialMesh<2> mesh = grid(40);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         int between = 0;
@@ -125,7 +126,7 @@ class TestShape : public QObject {
     /// B = (1 − m) B_prev + m (I + (s − 1) a aᵀ): in the middle of a blend the mean of both.
     void stiffnessBlends() {
         MaterialSpec spec;
-        spec.regions.push_back({"", Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0, {}, Stiffness{{0, 3, 0}, 9}});
+        spec.layers.push_back(test::layerWith("", {{Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0}, {}, Stiffness{{0, 3, 0}, 9}}));
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -139,7 +140,7 @@ class TestShape : public QObject {
         MaterialSpec spec;
         const SimplicialMesh<2> mesh = grid(1);
         spec.cellPhi = {0.5, 0.7};
-        spec.regions.push_back({"", Box<3>{{-1, -1, 0}, {3, 3, 0}}, 0, {}, Stiffness{{1, 0, 0}, 2}});
+        spec.layers.push_back(test::layerWith("", {{Box<3>{{-1, -1, 0}, {3, 3, 0}}, 0}, {}, Stiffness{{1, 0, 0}, 2}}));
         QCOMPARE(rasterizeMaterial<2>(spec, mesh)->phi[1], 0.7);
         spec.cellPhi.push_back(1);
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));

@@ -5,13 +5,14 @@
 
 #include "app/engine/motion/fields.h"
 #include "app/panels/distortion_panel.h"
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/region_numbers.h"
 #include "app/panels/mesh_panel.h"
-#include "app/panels/size_panel.h"
+#include "app/panels/region_list.h"
 #include "app/project/domain.h"
-#include "app/project/edits/size_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/session/opening.h"
+#include "tests/support/layers.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -23,7 +24,7 @@ class TestCellSizes : public QObject {
   private slots:
     void init();
     void cleanup() { m_f.reset(); }
-    void groupsOfOneName();
+    void strokesAreLayers();
     void sizeOfRegularCells();
     void strokesMakeCellsFiner();
     void shiftPaintsTheOtherWayRound();
@@ -32,12 +33,13 @@ class TestCellSizes : public QObject {
     void mapOfSizesWhilePainting();
 
   private:
-    SizePanel& panel() { return *m_f->window().findChild<SizePanel*>(); }
-    QListWidget& list() { return *panel().findChild<QListWidget*>(); }
-    MagnitudeBox& box(const char* name) { return *panel().findChild<MagnitudeBox*>(name); }
+    RegionList& panel() { return m_f->window().properties().detailRegions(); }
+    QListWidget& list() { return *panel().list(); }
+    ExactBox& box(const char* name) { return *panel().findChild<ExactBox*>(name); }
+    const SoftRegion& region() { return m_f->domain().sizes.at(0).regions.at(0); }
     void type(QDoubleSpinBox& box, double value);
     QToolButton& button(const QString& text);
-    QAction* entry(int place) { return button(SizePanel::tr("Add")).menu()->actions().at(place); }
+    QAction* entry(int place) { return button(RegionList::tr("Add")).menu()->actions().at(place); }
     void brushTheRightEnd(Qt::KeyboardModifiers modifiers = {});
     double meanSize(bool right);
     std::unique_ptr<SolidFixture> m_f;
@@ -87,20 +89,21 @@ double TestCellSizes::meanSize(bool right) {
     return sum / count;
 }
 
-void TestCellSizes::groupsOfOneName() {
-    Domain domain = m_f->domain();
-    domain.sizes = {{"", Ball<3>{Vec<3>::Zero(), 1}, 0, 2}, {"", Ball<3>{Vec<3>::Ones(), 1}, 0, 3}};
-    domain = withSizeStroke(domain, {{Vec<3>::Zero(), 1}, {Vec<3>::Ones(), 1}}, 0.5);
-    domain = withSizeRegion(domain, Ball<3>{Vec<3>::Zero(), 2}, 0.25);
-    domain = withSizeStroke(domain, {{Vec<3>::Ones(), 4}}, 0.1);
-    const auto groups = sizeGroups(domain);
-    QCOMPARE(groups.size(), std::size_t(5));  // what has no name stands alone
-    QCOMPARE(groups[2].entries, std::vector<int>({2, 3}));
-    QCOMPARE(groups[4].name, std::string("Stroke 2"));
-    const Domain without = withoutSizes(withSizeFactor(domain, 2, 7), 3);
-    QCOMPARE(without.sizes.size(), std::size_t(5));
-    QCOMPARE(without.sizes[3].factor, 7.0);
-    QCOMPARE(withoutSizes(domain, 9).sizes.size(), domain.sizes.size());
+/// Strokes and regions are layers on top, with names of their own, in place of what they cover.
+void TestCellSizes::strokesAreLayers() {
+    ValueLayers sizes = {layerWith("", 2, Ball<3>{Vec3::Zero(), 1}), layerWith("", 3, Ball<3>{Vec3::Ones(), 1})};
+    const auto ball = [](const Vec3& centre, double radius) {
+        return SoftRegion{Ball<3>{centre, radius}, 0.5 * radius};
+    };
+    sizes = withSizeStroke(sizes, {ball(Vec3::Zero(), 1), ball(Vec3::Ones(), 1)}, 0.5);
+    sizes = withSizeRegion(sizes, Ball<3>{Vec3::Zero(), 2}, 0.25);
+    QCOMPARE(sizes.size(), std::size_t(4));
+    QVERIFY(sizes[2].name == "Stroke 1" && sizes[2].regions.size() == 2 && sizes[2].value == 0.5);
+    QCOMPARE(sizes[3].name, std::string("Region 1"));
+    // A larger one, whose hard inside holds the balls around (1, 1, 1) but not that around the origin.
+    sizes = withSizeStroke(sizes, {ball(Vec3::Constant(2), 4.5)}, 0.1);
+    QCOMPARE(sizes.size(), std::size_t(4));
+    QVERIFY(sizes[1].name == "Stroke 1" && sizes[1].regions.size() == 1 && sizes[3].name == "Stroke 2");
 }
 
 /// The edge of a regular tetrahedron is its size.
@@ -124,27 +127,27 @@ void TestCellSizes::strokesMakeCellsFiner() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
     brushTheRightEnd();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->domain().sizes.size() > 1);
-    QCOMPARE(sizeGroups(m_f->domain()).size(), std::size_t(1));
-    QCOMPARE(m_f->domain().sizes[0].factor, 0.5);
+    QCOMPARE(m_f->domain().sizes.size(), std::size_t(1));
+    QVERIFY(m_f->domain().sizes[0].regions.size() > 1);
+    QCOMPARE(m_f->domain().sizes[0].value, 0.5);
     QVERIFY2(meanSize(true) < 0.8 * meanSize(false), qPrintable(QString::number(meanSize(true))));
     // The number of vertices in all is still what was aimed at.
     QVERIFY(std::abs(m_f->session().frame()->vertices - 900) <= 135);
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-painted"));
-    list().setCurrentRow(1);
+    list().setCurrentRow(0);
     m_f->picture(QStringLiteral("sizes-stroke"));
     // Its factor by the panel, and away; each is one step back.
-    type(box("sizeFactor"), 0.25);
+    type(box("detailValue"), 25);
     QVERIFY(settle(m_f->session()));
-    for (const SizeRegion& region : m_f->domain().sizes) QCOMPARE(region.factor, 0.25);
+    QCOMPARE(m_f->domain().sizes.at(0).value, 0.25);
     const double fine = meanSize(true) / meanSize(false);
     QVERIFY(fine < 0.6);
-    QTest::mouseClick(&button(SizePanel::tr("Remove")), Qt::LeftButton);
+    QTest::mouseClick(&button(RegionList::tr("Remove")), Qt::LeftButton);
     QVERIFY(m_f->domain().sizes.empty());
     for (int i = 0; i < 2; ++i) m_f->window().actions().undo->trigger();
-    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.5);
+    QCOMPARE(m_f->domain().sizes.at(0).value, 0.5);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QVERIFY(m_f->domain().sizes.empty());
@@ -154,13 +157,13 @@ void TestCellSizes::strokesMakeCellsFiner() {
 void TestCellSizes::shiftPaintsTheOtherWayRound() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_A, Qt::ShiftModifier);
     QVERIFY(m_f->actions().sizes->isChecked());
-    type(box("sizeFactor"), 0.4);
+    m_f->window().properties().brush().edges().set(0.4);
     const double before = meanSize(true) / meanSize(false);
     m_f->canvas().setFocus();
     for (int i = 0; i < 5; ++i) QTest::keyClick(&m_f->canvas(), Qt::Key_BracketRight);
     brushTheRightEnd(Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->domain().sizes.at(0).factor, 2.5);
+    QCOMPARE(m_f->domain().sizes.at(0).value, 2.5);
     const double after = meanSize(true) / meanSize(false);
     QVERIFY2(after > 1.15 * before, qPrintable(QString::number(after / before)));
     // Esc gives a stroke up.
@@ -175,8 +178,8 @@ void TestCellSizes::regionsByNumbers() {
     m_f->actions().sizes->trigger();
     entry(0)->trigger();
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(list().currentRow(), 1);
-    const auto* ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
+    QCOMPARE(list().currentRow(), 0);
+    const auto* ball = std::get_if<Ball<3>>(&region().shape);
     QVERIFY(ball && ball->centre.norm() < 1e-9);
     auto* numbers = panel().findChild<RegionNumbers*>();
     QVERIFY(numbers->isVisible());
@@ -184,13 +187,13 @@ void TestCellSizes::regionsByNumbers() {
     for (QDoubleSpinBox* one : boxes)
         if (one->isVisible() && one->accessibleName() == RegionNumbers::tr("Radius")) type(*one, 0.8);
     QVERIFY(settle(m_f->session()));
-    ball = std::get_if<Ball<3>>(&m_f->domain().sizes.at(0).shape);
+    ball = std::get_if<Ball<3>>(&region().shape);
     QVERIFY(ball && ball->radius == 0.8);
-    type(box("sizeFeather"), 0.3);
-    type(box("sizeFactor"), 0.3);
+    type(box("detailFeather"), 0.3);
+    type(box("detailValue"), 30);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->domain().sizes.at(0).feather, 0.3);
-    QCOMPARE(m_f->domain().sizes.at(0).factor, 0.3);
+    QCOMPARE(region().feather, 0.3);
+    QCOMPARE(m_f->domain().sizes.at(0).value, 0.3);
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-region"));
@@ -199,7 +202,7 @@ void TestCellSizes::regionsByNumbers() {
     kind->setFocus();
     QTest::keyClick(kind, Qt::Key_Down);
     QVERIFY(settle(m_f->session()));
-    QVERIFY(std::holds_alternative<Box<3>>(m_f->domain().sizes.at(0).shape));
+    QVERIFY(std::holds_alternative<Box<3>>(region().shape));
     QTemporaryDir folder;
     m_f->session().document().save(folder.filePath(QStringLiteral("sizes.wend")));
     QVERIFY(domainOf(*openFile(folder.filePath(QStringLiteral("sizes.wend"))).project).sizes ==
@@ -215,7 +218,7 @@ void TestCellSizes::regionOfTheSelectedHandle() {
     QVERIFY(entry(3)->isEnabled());
     entry(3)->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->domain().sizes.at(0).shape == half);
+    QVERIFY(region().shape == half);
     QVERIFY(meanSize(true) < 0.7 * meanSize(false));
 }
 

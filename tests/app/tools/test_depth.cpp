@@ -10,7 +10,7 @@
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/frame_export.h"
-#include "app/project/edits/depth_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/file/project_reader.h"
 #include "app/project/project.h"
@@ -21,6 +21,7 @@
 #include "app/views/canvas/ground.h"
 #include "core/integration/deformer.h"
 #include "kernels/opencl_devices.h"
+#include "tests/support/layers.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/warped_picture.h"
@@ -187,7 +188,7 @@ class TestDepth : public QObject {
     void pinsBringTheirPart();
 
   private:
-    void setDepth(std::vector<DepthRegion> regions);
+    void setDepth(ValueLayers layers);
     void fileShows(const QString& path, const Composition& expected, const char* what);
     void canvasIsTheExport();
     void mapTells(const QString& path, const Composition& expected);
@@ -222,9 +223,9 @@ void TestDepth::initTestCase() {
     QVERIFY(settle(m_session));
 }
 
-void TestDepth::setDepth(std::vector<DepthRegion> regions) {
+void TestDepth::setDepth(ValueLayers layers) {
     Project project = *m_session.document().project();
-    project.depth = std::move(regions);
+    project.depth = std::move(layers);
     m_session.document().change(QStringLiteral("Depth"), std::move(project));
     QVERIFY(settle(m_session));
 }
@@ -346,9 +347,9 @@ void TestDepth::crossingLimb() {
     QFETCH(int, arm);
     QFETCH(int, hand);
     QFETCH(int, all);
-    setDepth({{"all", HalfSpace<3>{{0, -50, 0}, {0, 1, 0}}, double(all)},
-              {"arm", Polygon{pointsOf(kArm)}, double(arm)},
-              {"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, double(hand)}});
+    setDepth({layerWith("all", double(all), HalfSpace<3>{{0, -50, 0}, {0, 1, 0}}),
+              layerWith("arm", double(arm), Polygon{pointsOf(kArm)}),
+              layerWith("hand", double(hand), Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
     const Composition expected(m_drawing, *m_session.frame<2>(), [&](const QPointF& p) -> double {
         if (std::hypot(p.x() - kHand.x(), p.y() - kHand.y()) < kHandRadius) return hand + kLimb;
         return kArm.containsPoint(p, Qt::OddEvenFill) ? arm + kLimb : all;
@@ -367,10 +368,10 @@ void TestDepth::orderIsUndone() {
     const auto picture = [&] { return QImage(exported(ExportKind::Picture, QStringLiteral("undo.png"))); };
     const QImage before = picture();
     const FramePtr frame = m_session.frame();
-    setDepth({{"arm", Polygon{pointsOf(kArm)}, 3}});
+    setDepth({layerWith("arm", 3, Polygon{pointsOf(kArm)})});
     QCOMPARE(m_session.frame(), frame);
     const QImage front = picture();
-    setDepth({{"arm", Polygon{pointsOf(kArm)}, -3}});
+    setDepth({layerWith("arm", -3, Polygon{pointsOf(kArm)})});
     QVERIFY(front != picture());
     m_session.document().undoStack()->undo();
     QCOMPARE(picture(), front);
@@ -381,7 +382,7 @@ void TestDepth::orderIsUndone() {
 
 /// On the canvas, where the hand is seen now: what is brushed is the hand at rest.
 void TestDepth::brushed() {
-    setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, 1}});  // over the body
+    setDepth({layerWith("hand", 1, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});  // over the body
     Brush brush;
     brush.order().set(2);
     DepthTool tool(m_canvas, brush);
@@ -391,8 +392,9 @@ void TestDepth::brushed() {
     QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
     const auto orderAt = [&](const Vec<2>& p) {
         double found = 0;
-        for (const DepthRegion& region : m_session.document().project()->depth)
-            if (signedDistance<2>(inPlane(region.shape), p) <= 0) found = region.order;
+        for (const ValueLayer& layer : m_session.document().project()->depth)
+            for (const SoftRegion& region : layer.regions)
+                if (signedDistance<2>(inPlane(region.shape), p) <= 0) found = layer.value;
         return found;
     };
     const auto stroke = [&](Qt::KeyboardModifiers modifiers) {
@@ -426,7 +428,7 @@ void TestDepth::brushed() {
 /// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
 void TestDepth::whatIsSeenIsTouched() {
     for (const double order : {1.0, -1.0}) {
-        setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
+        setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.pins()[0].centre));
         QVERIFY(touch);
         const Vec<2> rest = inPlane(m_session.frame()->restAt(touch->place));
@@ -453,7 +455,7 @@ void TestDepth::pinsInFrontArePicked() {
     PinTool tool(m_canvas, choice, false);
     m_canvas.zoomTo(1);
     for (const double order : {1.0, -1.0}) {
-        setDepth({{"hand", Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius}, order}});
+        setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         for (const int pin : {0, body}) {
             Vec3 place;
             for (const auto& view : m_session.pins())
@@ -470,16 +472,15 @@ void TestDepth::pinsInFrontArePicked() {
 
 /// Only what a stroke hides altogether goes.
 void TestDepth::strokesLeaveWhatIsLarger() {
-    setDepth({{"body", Ball<3>{{200, 180, 0}, 60}, 2}});
-    const DepthRegions& depth = m_session.document().depth();
-    const auto small = withDepthStroke(depth, {{{200, 180, 0}, 10}, {{206, 180, 0}, 10}}, -1);
-    QCOMPARE(small.size(), std::size_t(3));
-    QCOMPARE(small[0].order, 2.0);
-    QCOMPARE(withDepthStroke(depth, {{{210, 180, 0}, 80}}, -1).size(), std::size_t(1));
+    setDepth({layerWith("body", 2, Ball<3>{{200, 180, 0}, 60})});
+    const ValueLayers& depth = m_session.document().depth();
+    const auto small = withDepthStroke(depth, {{Ball<3>{{200, 180, 0}, 10}}, {Ball<3>{{206, 180, 0}, 10}}}, -1);
+    QVERIFY(small.size() == 2 && small[0].value == 2 && small[1].regions.size() == 2);
+    QCOMPARE(withDepthStroke(depth, {{Ball<3>{{210, 180, 0}, 80}}}, -1).size(), std::size_t(1));
 }
 
 void TestDepth::anotherMeshHasItsOwnOrder() {
-    setDepth({{"arm", Polygon{pointsOf(kArm)}, 1}});
+    setDepth({layerWith("arm", 1, Polygon{pointsOf(kArm)})});
     canvasIsTheExport();
     for (const int vertices : {350, 500}) {
         setVertices(m_session.document(), vertices);
@@ -500,7 +501,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
     m_canvas.viewport().set(&Looks::colours, {Measure::Angle, range, 1.0});  // none of the picture
     m_canvas.viewport().set(&Looks::map, true);
     for (const double order : {1.0, -1.0}) {
-        setDepth({{"arm", Polygon{pointsOf(kArm)}, order}});
+        setDepth({layerWith("arm", order, Polygon{pointsOf(kArm)})});
         QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
         const QImage& seen = m_canvas.drawn()->image;
         const auto isArm = [&](int cell) {
@@ -548,8 +549,8 @@ void TestDepth::pinsBringTheirPart() {
     };
     Project project = with(*m_session.document().project(), {0}, 3);
     QCOMPARE(project.depth.size(), std::size_t(1));
-    QVERIFY(signedDistance<2>(inPlane(project.depth[0].shape), {126, 41}) < 0);
-    QVERIFY(signedDistance<2>(inPlane(project.depth[0].shape), {120, 180}) > 0);  // where another pin is
+    QVERIFY(signedDistance<2>(inPlane(project.depth[0].regions[0].shape), {126, 41}) < 0);
+    QVERIFY(signedDistance<2>(inPlane(project.depth[0].regions[0].shape), {120, 180}) > 0);  // where another pin is
     QCOMPARE(of(project, 0), std::optional(3.0));
     QCOMPARE(of(project, 1), std::nullopt);
     project = withHandleName(project, 0, "hand");
@@ -561,8 +562,8 @@ void TestDepth::pinsBringTheirPart() {
     QVERIFY(project.depth.empty());
     // Of two pins close to each other either takes no more than the half between them.
     const Project near = with(withPin(project, Vec<2>(146, 41), "near"), {0}, 1);
-    QVERIFY(signedDistance<2>(inPlane(near.depth[0].shape), {134, 41}) < 0);
-    QVERIFY(signedDistance<2>(inPlane(near.depth[0].shape), {137, 41}) > 0);
+    QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {134, 41}) < 0);
+    QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {137, 41}) > 0);
 }
 
 QTEST_MAIN(TestDepth)

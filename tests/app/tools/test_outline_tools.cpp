@@ -9,7 +9,6 @@
 
 #include "app/panels/fields/option_field.h"
 #include "app/panels/mesh_panel.h"
-#include "app/project/depth_region.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
@@ -23,6 +22,7 @@
 #include "app/views/canvas/canvas.h"
 #include "core/meshing/outline_combination.h"
 #include "core/solver/components.h"
+#include "tests/support/layers.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 #include "warp/convert.h"
@@ -335,7 +335,7 @@ void TestOutlineTools::whatIsAtRestStays() {
     m_session->dragBy({20, 10, 0});
     m_session->endDrag(0.2);
     const auto painted = copyOf(*m_session->document().project());
-    designOf(*painted).material.regions.push_back({"stiff", Ball<3>{{100, 100, 0}, 30}, 4, 1.5, {}});
+    designOf(*painted).material.layers.push_back(layerWith("stiff", {{Ball<3>{{100, 100, 0}, 30}, 4}, 1.5}));
     depthOf(*painted).push_back({"front", Ball<3>{{100, 100, 0}, 30}, 2});
     m_session->document().change(QStringLiteral("Paint"), painted);
     QVERIFY(settle(*m_session));

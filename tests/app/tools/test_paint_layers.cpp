@@ -156,7 +156,7 @@ void TestPaintLayers::fills() {
     const QString path = folder.filePath(QStringLiteral("filled.wend"));
     session.document().save(path);
     const auto saved = openFile(path).project;
-    QCOMPARE(regionGroups(designOf(*saved)).size(), std::size_t(2));
+    QCOMPARE(designOf(*saved).material.layers.size(), std::size_t(2));
 }
 
 /// The bar is cut in two: a click fills the half that it lies in, with Shift both.
@@ -216,11 +216,11 @@ void TestPaintLayers::orderAndNames() {
     QCOMPARE(panel.list()->currentRow(), 0);
     panel.list()->currentItem()->setText(QStringLiteral("Neck"));
     QVERIFY(settle(session));
-    QCOMPARE(regions<Dim>().back().name, std::string("Neck"));
+    QCOMPARE(layers().back(), std::string("Neck"));
     // A name that there is already does not join the two.
     panel.list()->currentItem()->setText(panel.list()->item(1)->text());
     QVERIFY(settle(session));
-    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(2));
+    QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(2));
     QVERIFY(press("layerRemove"));
     QVERIFY(is(phi::kEquia));
     for (int i = 0; i < 4; ++i) m_f->window().actions().undo->trigger();
@@ -234,8 +234,8 @@ void TestPaintLayers::marksLieAlongWhatIsStiff() {
     QVERIFY(m_f->openPicture());
     ShapeCanvas& canvas = m_f->window().canvas();
     const auto project = copyOf(m_f->project());
-    designOf(*project).material.regions.push_back(
-        {"all", Box<3>{{0, 0, 0}, {240, 160, 0}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
+    designOf(*project).material.layers.push_back(
+        layerWith("all", {{Box<3>{{0, 0, 0}, {240, 160, 0}}}, {}, Stiffness{{1, 0, 0}, 20}}));
     m_f->session().document().change(QStringLiteral("Stiff"), project);
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
@@ -258,7 +258,7 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     rest.points << 0, 100, 100, 0, 0, 0, 100, 100;
     rest.cells = {{0, 1, 2}, {0, 2, 3}};
     std::vector<MaterialRegion> stroke;
-    for (int i = 0; i < 6; ++i) stroke.push_back({"s", Ball<3>{{20.0 + 8 * i, 50, 0}, 12}, 6, 1.0, {}});
+    for (int i = 0; i < 6; ++i) stroke.push_back({{Ball<3>{{20.0 + 8 * i, 50, 0}, 12}, 6}, 1.0});
     const auto distance = [](const std::vector<MaterialRegion>& layer, const Vec<2>& p) {
         double nearest = INFINITY;
         for (const auto& region : layer)
@@ -277,10 +277,10 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
         return true;
     };
     QVERIFY(check(stroke, 1e-9));
-    QVERIFY(check({{"h", HalfSpace<3>{{50, 50, 0}, {1, 1, 0}}, 10, 1.0, {}}}, 1e-9));
+    QVERIFY(check({{{HalfSpace<3>{{50, 50, 0}, {1, 1, 0}}, 10}, 1.0}}, 1e-9));
     // Corners of the band are round outside and cut inside.
     const RestLines square =
-        linesOf({{"p", Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10, 1.0, {}}}, rest);
+        linesOf({{{Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10}, 1.0}}, rest);
     QCOMPARE(square.border.size(), std::size_t(1));
     QCOMPARE(square.border[0].size(), std::size_t(5));
     QVERIFY(square.soft.size() >= 1);

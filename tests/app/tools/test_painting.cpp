@@ -13,6 +13,7 @@
 #include "app/style/colours.h"
 #include "app/style/smooth_map.h"
 #include "app/tools/paint/layer_lines.h"
+#include "tests/support/layers.h"
 #include "tests/support/paint_test.h"
 
 using namespace wend;
@@ -116,7 +117,7 @@ void TestPainting::softRegions() {
     stroke<Dim>({-1, 0}, {0.5, 0.1});
     QVERIFY(settle(session));
     const auto frame = session.frame<Dim>();
-    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(1));
+    QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     QVERIFY(regions<Dim>().size() > 5);
     QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Rigid")));
     const Vec<Dim> a = Bar<Dim>::place(-1, 0), b = Bar<Dim>::place(0.5, 0.1);
@@ -208,7 +209,7 @@ void TestPainting::paintHalf(double feather) {
     material.phi = phi::kEquia;
     const Vec<Dim> centre = Bar<Dim>::place(0, 0) - 3 * kUnit * Vec<Dim>::UnitX();
     const Region<3> half(Ball<3>{inSpace(centre), 3 * kUnit});
-    material.regions.push_back({"half", half, feather * kUnit, phi::conformal(Dim), {}});
+    material.layers.push_back(layerWith("half", {{half, feather * kUnit}, phi::conformal(Dim)}));
     m_f->session().document().changeDesign(QStringLiteral("Half"), next);
     QVERIFY(settle(m_f->session()));
     m_f->tool("paint")->trigger();
@@ -382,7 +383,7 @@ void TestPainting::eraseSmoothAndPick() {
     const QPoint middle = canvas.toWidget(Bar<Dim>::place(0, 0)).toPoint();
     QTest::mouseClick(&canvas, Qt::LeftButton, Qt::AltModifier, middle);
     QCOMPARE(brush().now().phi, phi::conformal(Dim));
-    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(1));
+    QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     // Ctrl lays what is everywhere.
     constexpr double kDeep = Dim == 3 ? 2.2 : 1;  // the middle of a tetrahedron lies below the surface
     set([](BrushSettings& b) { b.radius = 40 * kDeep; });

@@ -111,7 +111,7 @@ void TestRandomGestures::documentStaysWhole() {
 
 /// Nothing is lost when it is written and read, and what is selected exists.
 QString TestRandomGestures::wrongInDocument() {
-    const std::vector<int>& selected = session().selection().handles();
+    const std::vector<int> selected = session().selection().handles();
     const int handles = session().handleCount();
     for (const int h : selected)
         if (h < 0 || h >= handles) return QStringLiteral("pin %1 of %2 is selected").arg(h).arg(handles);

@@ -11,6 +11,7 @@
 #include "app/tools/measure_tool.h"
 #include "app/window/actions/pin_actions.h"
 #include "core/motion/trajectory.h"
+#include "tests/support/layers.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -312,9 +313,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     for (auto* box : panel->findChildren<QDoubleSpinBox*>())
         if (box->accessibleName() == PaintPanel::tr("Direction in numbers")) boxes << box;
     std::vector<std::size_t> ends{0};  // of the strokes, which are all in one layer
-    const auto regions = [&]() -> const auto& {
-        return m_f->session().document().design().material.regions;
-    };
+    const auto regions = [&] { return regionsIn(m_f->session().document().design()); };
     const auto axes = [&](std::size_t stroke) {
         std::vector<Vec<3>> found;
         for (std::size_t i = ends[stroke]; i < ends[stroke + 1]; ++i)
@@ -345,15 +344,14 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     QVERIFY(stroke({0.5, -0.5, -0.2}, {1, -0.5, -0.2}));
     for (const Vec<3>& axis : axes(2)) QVERIFY((axis - Vec<3>(0, 0.6, 0.8)).norm() < 1e-9);
     QVERIFY(!m_f->session().frame<3>()->material->anisotropy.empty());
-    QCOMPARE(regionGroups(m_f->session().document().design()).size(), std::size_t(1));
+    QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     // Another ratio leaves every direction of a stroke as it is.
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
-    const Design changed = withGroupPaint(m_f->session().document().design(),
-                                          regionGroups(m_f->session().document().design())[0].name,
-                                          MaterialPaint{{}, Stiffness{Vec<3>::UnitZ(), 3}}, true);
-    QCOMPARE(regionGroups(changed)[0].paint.stiffness->axis, before[0]);
-    QCOMPARE(regionGroups(changed)[0].paint.stiffness->ratio, 3.0);
+    MaterialLayer changed = m_f->session().document().design().material.layers[0];
+    setLayerPaint(changed, MaterialPaint{{}, Stiffness{Vec<3>::UnitZ(), 3}}, true);
+    QCOMPARE(valuesOf(changed).paint.stiffness->axis, before[0]);
+    QCOMPARE(valuesOf(changed).paint.stiffness->ratio, 3.0);
     m_f->window().actions().showMarks->setChecked(true);
     m_f->actions().oblique->trigger();
     m_f->picture(QStringLiteral("stiff"));

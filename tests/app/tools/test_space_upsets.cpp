@@ -96,12 +96,12 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QTest::mouseMove(&m_f->canvas(), to + QPoint(3, 3));
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, to);
     QVERIFY(m_f->handles().empty());
-    QVERIFY(regionGroups(m_f->session().document().design()).empty());
+    QVERIFY(m_f->session().document().design().material.layers.empty());
     settleLayout(m_f->canvas());  // what is told of the mesh changes the size of the view
     m_f->drag(m_f->at({1.9, -0.5, 0.4}),
               m_f->at({0.5, -0.5, -0.4}));  // the next one is whole; a lasso needs more than a line
     QVERIFY(tool == "lasso" ||
-            m_f->handles().size() + regionGroups(m_f->session().document().design()).size() == 1);
+            m_f->handles().size() + m_f->session().document().design().material.layers.size() == 1);
     QVERIFY(settle(m_f->session()));
 }
 
@@ -260,9 +260,9 @@ void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
     const Vec<3> axis = Vec<3>(0.31234567, 0.6, -0.2).normalized(), other = Vec<3>::UnitY();
     const auto regions = [&](const std::vector<std::optional<Stiffness>>& all) {
         Design next = m_f->session().document().design();
-        next.material.regions.clear();
-        for (const auto& one : all)
-            next.material.regions.push_back({"part", Ball<3>{{0, 0, 0}, 1}, 0.1, 1.0, one});
+        MaterialLayer part{"part", {}};
+        for (const auto& one : all) part.regions.push_back({{Ball<3>{{0, 0, 0}, 1}, 0.1}, 1.0, one});
+        next.material.layers = {part};
         return next;
     };
     m_f->session().document().changeDesign(QStringLiteral("Part"), regions({Stiffness{axis, 5}}));
@@ -270,12 +270,14 @@ void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
     auto* panel = m_f->window().findChild<LayerPanel*>();
     panel->list()->setCurrentRow(0);
     box<LayerPanel>(0)->setValue(7);
-    const auto stiffness = m_f->session().document().design().material.regions[0].stiffness;
+    const auto stiffness = m_f->session().document().design().material.layers[0].regions[0].stiffness;
     QVERIFY(stiffness && stiffness->ratio == 7);
     QVERIFY(stiffness->axis == axis);
     // Only what is stiff counts, whichever comes first.
-    QVERIFY(regionGroups(regions({{}, Stiffness{axis, 2}, Stiffness{axis, 3}}))[0].oneAxis);
-    QVERIFY(!regionGroups(regions({{}, Stiffness{axis, 2}, Stiffness{other, 2}}))[0].oneAxis);
+    const auto values = [&](const auto& all) { return valuesOf(regions(all).material.layers[0]); };
+    using All = std::vector<std::optional<Stiffness>>;
+    QVERIFY(values(All{{}, Stiffness{axis, 2}, Stiffness{axis, 3}}).oneAxis);
+    QVERIFY(!values(All{{}, Stiffness{axis, 2}, Stiffness{other, 2}}).oneAxis);
     QVERIFY(settle(m_f->session()));
 }
 

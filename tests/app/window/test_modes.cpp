@@ -21,7 +21,7 @@
 #include "app/panels/mesh_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/panels/pin_list.h"
-#include "app/panels/size_panel.h"
+#include "app/panels/region_list.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
@@ -152,7 +152,7 @@ void TestModes::toolsBringTheirPanelIntoView() {
         QVERIFY2(QTest::qWaitFor([&] { return isInView(panel); }, 20000), id);
     };
     comes("measure", *m_f->window().findChild<MeasurePanel*>());
-    comes("sizes", *m_f->window().findChild<SizePanel*>());
+    comes("sizes", m_f->window().properties().detailRegions());
     tools().setMode(Mode::Pins);
     tools().setMode(Mode::Mesh);  // with its brush
     settleLayout(m_f->window().properties());

@@ -10,6 +10,7 @@
 #include "app/panels/folding_section.h"
 #include "app/project/design.h"
 #include "app/project/file/project_writer.h"
+#include "tests/support/layers.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -242,8 +243,8 @@ void TestSolidView::colourMapIsSmooth() {
 /// What is stiff at the back of the bar is told on its front, which is not; arrows there are not told.
 void TestSolidView::stiffnessShinesThrough() {
     const auto stiff = copyOf(m_f->project());
-    designOf(*stiff).material.regions.push_back(
-        {"back", Box<3>{{-3, 0.2, -1}, {3, 1, 1}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
+    designOf(*stiff).material.layers.push_back(
+        layerWith("back", {{Box<3>{{-3, 0.2, -1}, {3, 1, 1}}}, {}, Stiffness{{1, 0, 0}, 20}}));
     document().change(QStringLiteral("Stiffen"), stiff);
     QVERIFY(settle(m_f->session()));
     m_f->canvas().fit();

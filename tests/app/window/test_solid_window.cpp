@@ -505,7 +505,7 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     right.shape = HalfSpace<3>{Vec<3>::Zero(), -Vec<3>::UnitX()};
     right.phi = phi::kAkvf;
     right.stiffness = Stiffness{Vec<3>::UnitZ(), 30};
-    designOf(*painted).material.regions.push_back(right);
+    designOf(*painted).material.layers.push_back({"", {right}});
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;
@@ -564,9 +564,9 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     m_f->window().tools().action(QStringLiteral("paint"))->trigger();
     m_f->drag(m_f->at({-1, -0.5, 0}), m_f->at({1, -0.5, 0}));
     QVERIFY(settle(m_f->session()));
-    const auto groups = regionGroups(m_f->session().document().design());
-    QCOMPARE(groups.size(), std::size_t(1));
-    QVERIFY(groups[0].count > 1);
+    const auto layers = m_f->session().document().design().material.layers;
+    QCOMPARE(layers.size(), std::size_t(1));
+    QVERIFY(layers[0].regions.size() > 1);
     const auto& phi = m_f->session().frame<3>()->material->phi;
     QVERIFY(*std::max_element(phi.begin(), phi.end()) > phi::kMetr + 0.1);
     // What is painted is shown as long as the brush is chosen, then what was shown before.
@@ -592,7 +592,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     QCOMPARE(m_f->window().distortionPanel().measure(), Measure::Length);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(regionGroups(m_f->session().document().design()).empty());
+    QVERIFY(m_f->session().document().design().material.layers.empty());
 }
 
 void TestSolidWindow::measuresLengthAndAngle() {

@@ -15,6 +15,7 @@
 #include "app/window/help/tutorial.h"
 #include "app/window/main_window.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/layers.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -114,7 +115,7 @@ void TestTutorial::isTakenByHand() {
     QVERIFY(settle(session));
     const Vec<2> neck = session.frame<2>()->pose.col(0);  // wherever it is now, it is of the shape
     drag(neck.x(), neck.y(), neck.x() + 20, neck.y() + 20);
-    QCOMPARE(document.design().material.regions.size(), std::size_t(1));
+    QCOMPARE(regionsIn(document.design()).size(), std::size_t(1));
     QCOMPARE(card().page(), 6);
     press(Qt::Key_K);
     QCOMPARE(card().page(), 7);

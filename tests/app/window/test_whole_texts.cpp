@@ -25,6 +25,7 @@
 #include "app/window/notices/work_note.h"
 #include "app/window/properties_rail.h"
 #include "tests/support/dialogs.h"
+#include "tests/support/layers.h"
 #include "tests/support/solid_fixture.h"
 #include "tests/support/whole_texts.h"
 
@@ -187,9 +188,10 @@ void TestWholeTexts::bend() {
 
 void TestWholeTexts::paintLayers() {
     const auto project = copyOf(*m_f->session().document().project());
-    auto& regions = designOf(*project).material.regions;
-    regions.push_back({"Neck and shoulders", Box<3>{{0, 0, 0}, {100, 160, 0}}, 3, 1.5, {}});
-    regions.push_back({"Tail", Box<3>{{100, 0, 0}, {240, 160, 0}}, 0, {}, Stiffness{{1, 0, 0}, 20}});
+    auto& layers = designOf(*project).material.layers;
+    layers.push_back(layerWith("Neck and shoulders", {{Box<3>{{0, 0, 0}, {100, 160, 0}}, 3}, 1.5}));
+    layers.push_back(
+        layerWith("Tail", {{Box<3>{{100, 0, 0}, {240, 160, 0}}}, {}, Stiffness{{1, 0, 0}, 20}}));
     m_f->session().document().change(QStringLiteral("Layers"), project);
     QVERIFY(settle(m_f->session()));
     window().properties().layers().list()->setCurrentRow(0);
