@@ -160,19 +160,17 @@ void LayerPanel::connectControls() {
             takeOrder(from, before > from ? before - 1 : before);
         },
         Qt::QueuedConnection);
-    connect(m_readAgain, &QToolButton::clicked, this, [this] {
-        changeChosen(tr("Read pictures again"), rereadPictures);
-    });
-    const auto move = [this](int by) {
-        change(tr("Move layer"), withLayerMoved(layers(), selected(), by));
-    };
+    connect(m_readAgain, &QToolButton::clicked, this,
+            [this] { changeChosen(tr("Read pictures again"), rereadPictures); });
+    const auto move = [this](int by) { change(tr("Move layer"), withLayerMoved(layers(), selected(), by)); };
     connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
     connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
     connect(m_remove, &QToolButton::clicked, this, &LayerPanel::remove);
     connect(m_takeAway, &QAction::triggered, this, &LayerPanel::remove);
     connect(m_rename, &QAction::triggered, this, [this] { m_list->editItem(m_list->currentItem()); });
     connect(m_merge, &QAction::triggered, this, [this] {
-        if (auto next = withLayerMergedDown(layers(), selected())) change(tr("Merge layers"), *std::move(next));
+        if (auto next = withLayerMergedDown(layers(), selected()))
+            change(tr("Merge layers"), *std::move(next));
     });
     const auto changeMaterial = [this] { changePaint(); };
     connect(m_hasPhi, &QCheckBox::clicked, this, changeMaterial);

@@ -113,9 +113,7 @@ void RegionList::makeAddMenu() {
     };
     const auto reach = [this] { return kReach * m_session.frame()->diagonal; };
     entry(tr("Ball"), [=, this] { return Ball<3>{middle(), reach()}; });
-    entry(tr("Box"), [=, this] {
-        return Box<3>{middle().array() - reach(), middle().array() + reach()};
-    });
+    entry(tr("Box"), [=, this] { return Box<3>{middle().array() - reach(), middle().array() + reach()}; });
     entry(tr("Half-space"), [=, this] { return HalfSpace<3>{middle(), Vec3::UnitX()}; });
     m_addSelected = entry(tr("Region of the selected handle"), [this] { return *selectedRegion(); });
     menu->setToolTipsVisible(true);
@@ -164,10 +162,12 @@ void RegionList::change(const QString& step, ValueLayers layers, const QString& 
 
 /// Consecutive numbers merge into one undo step.
 void RegionList::changeShape(const Region<3>& shape, double feather) {
-    change(tr("Change region"), withLayer(layers(), chosenId(), [&](ValueLayer& layer) {
-               layer.regions.front().shape = shape;
-               layer.regions.front().feather = feather;
-           }),
+    change(tr("Change region"),
+           withLayer(layers(), chosenId(),
+                     [&](ValueLayer& layer) {
+                         layer.regions.front().shape = shape;
+                         layer.regions.front().feather = feather;
+                     }),
            QStringLiteral("layer shape %1").arg(qulonglong(chosenId())));
 }
 
@@ -179,8 +179,7 @@ void RegionList::addRegion(const Region<3>& shape) {
 /// Returns the region that the single selected handle holds; null if it holds none.
 const Region<3>* RegionList::selectedRegion() const {
     const int handle = m_session.singleHandle();
-    return handle < 0 ? nullptr
-                      : std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
+    return handle < 0 ? nullptr : std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
 }
 
 void RegionList::allowSelected() {
@@ -264,7 +263,8 @@ void RegionList::showNotes() {
                          .arg(QFileInfo(QString::fromStdString(domain.sizesFile)).fileName());
         if (!domain.refineSurface)
             notes << tr(
-                "The surface's triangles are kept, and only the inside changes. “Refine surface” in the panel "
+                "The surface's triangles are kept, and only the inside changes. “Refine surface” in the "
+                "panel "
                 "“Mesh” allows them to be split, too.");
     }
     m_note->setText(notes.join(QLatin1Char('\n')));

@@ -29,11 +29,9 @@ std::vector<int> partLevels(const std::vector<PicturePart>& parts, const Simplic
 class CellDepths {
   public:
     using Values = std::shared_ptr<const std::vector<float>>;
-    explicit CellDepths(std::vector<float> (&make)(const ValueLayers&,
-                                                   const SimplicialMesh<2>&) = cellDepths)
+    explicit CellDepths(std::vector<float> (&make)(const ValueLayers&, const SimplicialMesh<2>&) = cellDepths)
         : m_make(make) {}
-    const Values& of(const ValueLayers& layers,
-                     const std::shared_ptr<const SimplicialMesh<2>>& rest,
+    const Values& of(const ValueLayers& layers, const std::shared_ptr<const SimplicialMesh<2>>& rest,
                      const std::vector<int>& levels = {});
     /// Returns the plan of the last result of of().
     std::shared_ptr<const PaintingPlan> plan();

@@ -237,14 +237,14 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& given
     return material;
 }
 
-#define WEND_INSTANTIATE(Dim)                                                                              \
-    template Mat<Dim> anisotropyOf<Dim>(const Stiffness&);                                                 \
-    template Stiffness stiffnessOf<Dim>(const Mat<Dim>&);                                                  \
-    template void layLayers<Dim>(std::span<const MaterialLayer>, const SimplicialMesh<Dim>&,             \
-                                  const std::string&, Material<Dim>&);                                     \
+#define WEND_INSTANTIATE(Dim)                                                                   \
+    template Mat<Dim> anisotropyOf<Dim>(const Stiffness&);                                      \
+    template Stiffness stiffnessOf<Dim>(const Mat<Dim>&);                                       \
+    template void layLayers<Dim>(std::span<const MaterialLayer>, const SimplicialMesh<Dim>&,    \
+                                 const std::string&, Material<Dim>&);                           \
     template std::vector<double> coverOf<Dim>(const MaterialLayer&, const SimplicialMesh<Dim>&, \
-                                              const std::string&);                                         \
-    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                                  \
+                                              const std::string&);                              \
+    template std::shared_ptr<const Material<Dim>> rasterizeMaterial<Dim>(                       \
         const MaterialSpec&, const SimplicialMesh<Dim>&, const std::string&)
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);

@@ -63,8 +63,7 @@ bool sameRegionsAndCells(const MaterialSpec& a, const MaterialSpec& b) {
         return std::ranges::equal(p.regions, q.regions, sameRegion);
     };
     return a.cellsFile == b.cellsFile && a.cellsPhi == b.cellsPhi && a.cellsB == b.cellsB &&
-           a.cellPhi == b.cellPhi && a.cellB == b.cellB &&
-           std::ranges::equal(a.layers, b.layers, sameLayer);
+           a.cellPhi == b.cellPhi && a.cellB == b.cellB && std::ranges::equal(a.layers, b.layers, sameLayer);
 }
 
 }  // namespace

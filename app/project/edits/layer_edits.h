@@ -46,8 +46,8 @@ template <class Layer>
 std::vector<Layer> withLayerMoved(std::vector<Layer> layers, Id id, int by) {
     const auto at = std::ranges::find(layers, id, &Layer::id);
     if (at == layers.end()) return layers;
-    const auto to = layers.begin() +
-                    std::clamp<std::ptrdiff_t>(at - layers.begin() + by, 0, std::ssize(layers) - 1);
+    const auto to =
+        layers.begin() + std::clamp<std::ptrdiff_t>(at - layers.begin() + by, 0, std::ssize(layers) - 1);
     if (to > at) std::rotate(at, at + 1, to + 1);
     if (to < at) std::rotate(to, at, at + 1);
     return layers;

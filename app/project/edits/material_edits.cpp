@@ -70,8 +70,8 @@ std::optional<std::vector<MaterialLayer>> withLayerMergedDown(std::vector<Materi
     if (upper == layers.end() || upper == layers.begin()) return {};
     MaterialLayer& lower = *std::prev(upper);
     const auto shows = [](const MaterialRegion& region) { return region.pictures.any(); };
-    if (upper->isHidden() || lower.isHidden() || upper->erases() || std::ranges::any_of(upper->regions, shows) ||
-        std::ranges::any_of(lower.regions, shows))
+    if (upper->isHidden() || lower.isHidden() || upper->erases() ||
+        std::ranges::any_of(upper->regions, shows) || std::ranges::any_of(lower.regions, shows))
         return {};
     std::ranges::move(upper->regions, std::back_inserter(lower.regions));
     layers.erase(upper);

@@ -78,8 +78,8 @@ ValueLayers withSizeRegion(ValueLayers sizes, const Region<3>& shape, double fac
 }
 
 ValueLayers withDepthStroke(ValueLayers depth, std::vector<SoftRegion> stroke, double order) {
-    return withValueStroke(std::move(depth), QCoreApplication::translate("Names", "Depth"),
-                           std::move(stroke), order, 0);
+    return withValueStroke(std::move(depth), QCoreApplication::translate("Names", "Depth"), std::move(stroke),
+                           order, 0);
 }
 
 ValueLayers withHandleDepth(ValueLayers depth, const Design& design, const std::vector<int>& handles,

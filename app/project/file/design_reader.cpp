@@ -151,8 +151,8 @@ void readFeather(JsonObject& object, SoftRegion& region) {
 
 /// Adds a region to the last layer if it has that name and value, else in a layer of its own.
 void add(SoftRegion region, const std::string& name, double value, ValueLayers& layers) {
-    const bool continues = !name.empty() && !layers.empty() && layers.back().name == name &&
-                           layers.back().value == value;
+    const bool continues =
+        !name.empty() && !layers.empty() && layers.back().name == name && layers.back().value == value;
     if (!continues) layers.push_back({name, value, {}});
     layers.back().regions.push_back(std::move(region));
 }

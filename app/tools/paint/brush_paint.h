@@ -26,7 +26,7 @@ std::string brushAim(const BrushSettings& brush);
 /// Returns the layer for the paint: the selected one if it holds this kind, else the topmost that does, else
 /// a new one named after the kind.
 PaintedLayer layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
-                     const std::string& aim, const std::string& kind);
+                      const std::string& aim, const std::string& kind);
 /// Returns a name for a place at rest: that of its layer or of the nearest pin; empty far from both.
 QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer);
 /// Returns the map that is shown while painting: the property that the brush changes.

@@ -77,8 +77,8 @@ std::vector<GradientTool::Handle> GradientTool::handles() const {
             const auto* blend = std::get_if<Blend<3>>(&region.shape);
             if (!blend || isProtected(session().document().domain().parts, region.part)) continue;
             for (const bool isTo : {false, true})
-                found.push_back({layer.id, i, isTo,
-                                 frame->carriedFromRest(isTo ? blend->to : blend->from, region.part)});
+                found.push_back(
+                    {layer.id, i, isTo, frame->carriedFromRest(isTo ? blend->to : blend->from, region.part)});
         }
     return found;
 }
@@ -156,8 +156,7 @@ std::optional<MaterialRegion> GradientTool::region() const {
     const QPointF from = view().onScreen(m_from->seen), to = view().onScreen(m_to->seen);
     if (QLineF(from, to).length() < kShortest || m_from->rest == m_to->rest) return {};
     const MaterialPaint paint = paintOf(m_brush.now(), view().dimension(), m_to->rest - m_from->rest);
-    return MaterialRegion{
-        {Blend<3>{m_from->rest, m_to->rest}, 0, m_part}, paint.phi, paint.stiffness};
+    return MaterialRegion{{Blend<3>{m_from->rest, m_to->rest}, 0, m_part}, paint.phi, paint.stiffness};
 }
 
 /// Returns the design with the moved end or the new gradient; nothing for a click.

@@ -197,7 +197,8 @@ PaintedLayer PaintTool::layer() const {
 /// Names the step, with its place if that has a name: "Paint Rigid on Neck".
 QString PaintTool::title(const std::vector<Dab>& dabs) const {
     const bool erases = deed() == Deed::Erase;
-    const QString where = placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer.name);
+    const QString where =
+        placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer.name);
     const auto with = [&](const char* somewhere, const char* bare) {
         return where.isEmpty() ? QCoreApplication::translate("PaintTool", bare)
                                : QCoreApplication::translate("PaintTool", somewhere).arg(where);

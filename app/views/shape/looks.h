@@ -30,13 +30,13 @@ struct Looks {
     bool hidden = false;     // all overlays
     bool rest = false;       // the undeformed shape
     bool values = false;     // under the pointer they are shown elsewhere, the velocity among them
-    bool detail = true;  // the detailed or painted surface in a solid, rather than the tetrahedra's border
-    bool flat = false;   // each facet of it by itself
-    MapLook colours;     // of the map
-    GroupMarks groups;   // of the mesh's file, to be marked; null: none
+    bool detail = true;   // the detailed or painted surface in a solid, rather than the tetrahedra's border
+    bool flat = false;    // each facet of it by itself
+    MapLook colours;      // of the map
+    GroupMarks groups;    // of the mesh's file, to be marked; null: none
     Id layer = Id::None;  // the layer whose border is drawn
-    QColor backdrop;     // invalid: the view's own
-    FramePtr standIn;    // in the place of the session's frame; null: none
+    QColor backdrop;      // invalid: the view's own
+    FramePtr standIn;     // in the place of the session's frame; null: none
 };
 
 /// Returns the frame that is shown instead of the session's own, if any.

@@ -569,7 +569,7 @@ void TestPartList::detailBelongsToParts() {
     QVERIFY(near(finer) > near(bar));
     lock(1);
     stroke({{70, 35}, {75, 40}});
-    QCOMPARE(sizes().back().part, std::string("board"));
+    QCOMPARE(sizes().back().regions.front().part, std::string("board"));
     QVERIFY(pointsOf("arm") == finer);
     QVERIFY(near(pointsOf("board")) > near(board));
 }

@@ -98,7 +98,8 @@ void TestRegionList::layersOfAFile() {
     add("a", 1), add("a", 1), add("a", 4), add("", 5), add("", 5), add("b", 3), add("a", 4);
     Project project;
     project.domain.path = "a.png";
-    project.design.handles = {{"b", std::vector<Vec3>{{3, 0, 0}}, {}}, {"d", std::vector<Vec3>{{4, 0, 0}}, {}}};
+    project.design.handles = {{"b", std::vector<Vec3>{{3, 0, 0}}, {}},
+                              {"d", std::vector<Vec3>{{4, 0, 0}}, {}}};
     QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(toJson(project))).object();
     json["depth"] = list;
     project = *parseProject(QJsonDocument(json).toJson().toStdString(), "p.wend").project;
@@ -109,7 +110,8 @@ void TestRegionList::layersOfAFile() {
     const QJsonObject written = QJsonDocument::fromJson(QByteArray::fromStdString(toJson(project))).object();
     const auto valuesIn = [](const QJsonArray& regions) {
         std::vector<std::pair<QString, double>> all;
-        for (const QJsonValue& one : regions) all.emplace_back(one["name"].toString(), one["order"].toDouble());
+        for (const QJsonValue& one : regions)
+            all.emplace_back(one["name"].toString(), one["order"].toDouble());
         return all;
     };
     QCOMPARE(valuesIn(written["depth"].toArray()), valuesIn(list));

@@ -66,6 +66,7 @@ class TestCompute : public QObject {
     void firstMotionIsCancelled();
     void playbackWaitsForWhatIsComputed();
     void whatIsGoneIsNotSelected();
+    void selectionStaysWithItsPins();
     void velocitiesWaitForRequests();
     void newestTargetsStay();
     void closedMailboxStaysInterrupted();
@@ -565,6 +566,29 @@ void TestCompute::firstMotionIsCancelled() {
     QVERIFY(m_session->isMeshing());
     m_session->cancelWork();
     QVERIFY(problems.last().first().toString().contains(QStringLiteral("motion")));
+}
+
+/// Whatever comes, goes or changes places before them in the list.
+void TestCompute::selectionStaysWithItsPins() {
+    open();
+    for (const double x : {40.0, 120.0, 200.0}) m_session->addPin({x, 80, 0});
+    QVERIFY(settle(*m_session));
+    m_session->selection().set({2});
+    QSignalSpy changes(&m_session->selection(), &Selection::changed);
+    Design fewer = m_session->document().design();
+    fewer.handles.erase(fewer.handles.begin());
+    m_session->document().changeDesign(QStringLiteral("Fewer"), fewer);
+    QCOMPARE(m_session->selection().handles(), std::vector<int>{1});
+    QCOMPARE(m_session->singleHandle(), 1);
+    Design turned = fewer;
+    std::ranges::reverse(turned.handles);
+    m_session->document().changeDesign(QStringLiteral("Turned"), turned);
+    QVERIFY(m_session->selection().contains(0) && !m_session->selection().contains(1));
+    m_session->document().undoStack()->setIndex(3);
+    QCOMPARE(m_session->selection().handles(), std::vector<int>{2});
+    QVERIFY(changes.isEmpty());
+    m_session->document().undoStack()->setIndex(2);  // before the pin was set
+    QVERIFY(m_session->selection().isEmpty() && changes.size() == 1);
 }
 
 void TestCompute::whatIsGoneIsNotSelected() {

@@ -149,7 +149,7 @@ void TestMaterialPictures::everythingComesBack() {
         QVERIFY(std::abs(1000 * std::pow(1000, grayAt(stiff, p) - 1) - (mean + r) / (mean - r)) <
                 1e-3 * (mean + r));
     }
-    regions.clear();
+    project.design.material.layers.clear();
     project.design = withPictures(project.design, "all", frame.box, pictures);
     const Material<2> again = materialOf(project);
     for (int c = 0; c < shape.rest->cellCount(); ++c) {
@@ -219,7 +219,7 @@ void TestMaterialPictures::projectsNameTheirPictures() {
     QTemporaryDir folder;
     Project project = stripProject(folder);
     auto& region = addRegion(project, {{0, 0, 0}, {16, 4, 0}});
-    region.name = "ramp";
+    project.design.material.layers.back().name = "ramp";
     region.pictures = {writeRamp(folder).toStdString(), "", "", true, 3};
     region.hidden = true;
     const std::string path = folder.filePath("ramp.wend").toStdString();

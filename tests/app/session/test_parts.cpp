@@ -149,7 +149,7 @@ void TestParts::projectsAreKept() {
                         "material": {"regions": [{"shape": {"circle": {"centre": [9, 9], "radius": 4}}, "phi": 1,
                                                   "part": "arm"}]})");
     QVERIFY(domainOf(*first.project).parts.front().locked);
-    QCOMPARE(depthOf(*first.project).front().part, std::string("arm"));
+    QCOMPARE(depthOf(*first.project).front().regions.front().part, std::string("arm"));
     QCOMPARE(regionsIn(designOf(*first.project)).front().part, std::string("arm"));
     QCOMPARE(first.warnings.size(), std::size_t{2});  // mood, of
     const std::string text = toJson(*first.project);

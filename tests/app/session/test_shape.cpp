@@ -126,7 +126,8 @@ class TestShape : public QObject {
     /// B = (1 − m) B_prev + m (I + (s − 1) a aᵀ): in the middle of a blend the mean of both.
     void stiffnessBlends() {
         MaterialSpec spec;
-        spec.layers.push_back(test::layerWith("", {{Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0}, {}, Stiffness{{0, 3, 0}, 9}}));
+        spec.layers.push_back(
+            test::layerWith("", {{Blend<3>{{0, 0, 0}, {4, 0, 0}}, 0}, {}, Stiffness{{0, 3, 0}, 9}}));
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
@@ -140,7 +141,8 @@ class TestShape : public QObject {
         MaterialSpec spec;
         const SimplicialMesh<2> mesh = grid(1);
         spec.cellPhi = {0.5, 0.7};
-        spec.layers.push_back(test::layerWith("", {{Box<3>{{-1, -1, 0}, {3, 3, 0}}, 0}, {}, Stiffness{{1, 0, 0}, 2}}));
+        spec.layers.push_back(
+            test::layerWith("", {{Box<3>{{-1, -1, 0}, {3, 3, 0}}, 0}, {}, Stiffness{{1, 0, 0}, 2}}));
         QCOMPARE(rasterizeMaterial<2>(spec, mesh)->phi[1], 0.7);
         spec.cellPhi.push_back(1);
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));

@@ -91,7 +91,8 @@ double TestCellSizes::meanSize(bool right) {
 
 /// Strokes and regions are layers on top, with names of their own, in place of what they cover.
 void TestCellSizes::strokesAreLayers() {
-    ValueLayers sizes = {layerWith("", 2, Ball<3>{Vec3::Zero(), 1}), layerWith("", 3, Ball<3>{Vec3::Ones(), 1})};
+    ValueLayers sizes = {layerWith("", 2, Ball<3>{Vec3::Zero(), 1}),
+                         layerWith("", 3, Ball<3>{Vec3::Ones(), 1})};
     const auto ball = [](const Vec3& centre, double radius) {
         return SoftRegion{Ball<3>{centre, radius}, 0.5 * radius};
     };

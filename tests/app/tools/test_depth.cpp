@@ -10,8 +10,8 @@
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/frame_export.h"
-#include "app/project/edits/value_edits.h"
 #include "app/project/edits/handle_edits.h"
+#include "app/project/edits/value_edits.h"
 #include "app/project/file/project_reader.h"
 #include "app/project/project.h"
 #include "app/session/opening.h"
@@ -474,7 +474,8 @@ void TestDepth::pinsInFrontArePicked() {
 void TestDepth::strokesLeaveWhatIsLarger() {
     setDepth({layerWith("body", 2, Ball<3>{{200, 180, 0}, 60})});
     const ValueLayers& depth = m_session.document().depth();
-    const auto small = withDepthStroke(depth, {{Ball<3>{{200, 180, 0}, 10}}, {Ball<3>{{206, 180, 0}, 10}}}, -1);
+    const auto small =
+        withDepthStroke(depth, {{Ball<3>{{200, 180, 0}, 10}}, {Ball<3>{{206, 180, 0}, 10}}}, -1);
     QVERIFY(small.size() == 2 && small[0].value == 2 && small[1].regions.size() == 2);
     QCOMPARE(withDepthStroke(depth, {{Ball<3>{{210, 180, 0}, 80}}}, -1).size(), std::size_t(1));
 }
@@ -550,7 +551,8 @@ void TestDepth::pinsBringTheirPart() {
     Project project = with(*m_session.document().project(), {0}, 3);
     QCOMPARE(project.depth.size(), std::size_t(1));
     QVERIFY(signedDistance<2>(inPlane(project.depth[0].regions[0].shape), {126, 41}) < 0);
-    QVERIFY(signedDistance<2>(inPlane(project.depth[0].regions[0].shape), {120, 180}) > 0);  // where another pin is
+    QVERIFY(signedDistance<2>(inPlane(project.depth[0].regions[0].shape), {120, 180}) >
+            0);  // where another pin is
     QCOMPARE(of(project, 0), std::optional(3.0));
     QCOMPARE(of(project, 1), std::nullopt);
     project = withHandleName(project, 0, "hand");

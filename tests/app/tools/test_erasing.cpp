@@ -244,9 +244,8 @@ void TestErasing::linesGoRoundWhatIsErased() {
     rest.points.resize(2, 3);
     rest.points << 0, 100, 0, 0, 0, 100;
     rest.cells = {{0, 1, 2}};
-    std::vector<MaterialRegion> layer{{{Ball<3>{{50, 50, 0}, 30}}, 1.0},
-                                      {{Ball<3>{{80, 50, 0}, 10}}},
-                                      {{Ball<3>{{70, 50, 0}, 4}}, 1.0}};
+    std::vector<MaterialRegion> layer{
+        {{Ball<3>{{50, 50, 0}, 30}}, 1.0}, {{Ball<3>{{80, 50, 0}, 10}}}, {{Ball<3>{{70, 50, 0}, 4}}, 1.0}};
     layer[1].leaves = 0;
     int paint = 0, erased = 0, again = 0;
     for (const auto& line : linesOf(layer, rest).border)

@@ -336,7 +336,7 @@ void TestOutlineTools::whatIsAtRestStays() {
     m_session->endDrag(0.2);
     const auto painted = copyOf(*m_session->document().project());
     designOf(*painted).material.layers.push_back(layerWith("stiff", {{Ball<3>{{100, 100, 0}, 30}, 4}, 1.5}));
-    depthOf(*painted).push_back({"front", Ball<3>{{100, 100, 0}, 30}, 2});
+    depthOf(*painted).push_back(layerWith("front", 2, Ball<3>{{100, 100, 0}, 30}));
     m_session->document().change(QStringLiteral("Paint"), painted);
     QVERIFY(settle(*m_session));
     const auto before = m_session->document().project();

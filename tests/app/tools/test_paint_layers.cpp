@@ -279,8 +279,7 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     QVERIFY(check(stroke, 1e-9));
     QVERIFY(check({{{HalfSpace<3>{{50, 50, 0}, {1, 1, 0}}, 10}, 1.0}}, 1e-9));
     // Corners of the band are round outside and cut inside.
-    const RestLines square =
-        linesOf({{{Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10}, 1.0}}, rest);
+    const RestLines square = linesOf({{{Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10}, 1.0}}, rest);
     QCOMPARE(square.border.size(), std::size_t(1));
     QCOMPARE(square.border[0].size(), std::size_t(5));
     QVERIFY(square.soft.size() >= 1);

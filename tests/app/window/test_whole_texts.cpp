@@ -190,8 +190,7 @@ void TestWholeTexts::paintLayers() {
     const auto project = copyOf(*m_f->session().document().project());
     auto& layers = designOf(*project).material.layers;
     layers.push_back(layerWith("Neck and shoulders", {{Box<3>{{0, 0, 0}, {100, 160, 0}}, 3}, 1.5}));
-    layers.push_back(
-        layerWith("Tail", {{Box<3>{{100, 0, 0}, {240, 160, 0}}}, {}, Stiffness{{1, 0, 0}, 20}}));
+    layers.push_back(layerWith("Tail", {{Box<3>{{100, 0, 0}, {240, 160, 0}}}, {}, Stiffness{{1, 0, 0}, 20}}));
     m_f->session().document().change(QStringLiteral("Layers"), project);
     QVERIFY(settle(m_f->session()));
     window().properties().layers().list()->setCurrentRow(0);
