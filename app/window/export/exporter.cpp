@@ -15,7 +15,7 @@
 #include "app/output/run_options.h"
 #include "app/output/shape_file.h"
 #include "app/session/opening.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/export/save_dialog.h"
 #include "core/base/error.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDialog>
 #include <QList>
 #include <QObject>
 #include <functional>
@@ -7,13 +8,34 @@
 #include "app/window/notices/info_banner.h"
 #include "warp/vector_drawing.h"
 
+class QDoubleSpinBox;
+class QSpinBox;
 class QWidget;
 
 namespace wend {
 
 class Document;
-class ProjectWatch;
 struct Project;
+class ProjectWatch;
+
+/// Asks for the size at which a drawing is drawn, in pixels or in percent of that at which it is opened:
+/// width, height and percent follow each other.
+class DrawingSizeDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    DrawingSizeDialog(const DrawnSize& now, const DrawnSize& first, QWidget* parent);
+
+    DrawnSize size() const;
+
+  private:
+    void tie(QSpinBox* side, QSpinBox* other, double proportion);
+    void takePercent(double percent);
+
+    const DrawnSize m_first;
+    QSpinBox *m_width, *m_height;
+    QDoubleSpinBox* m_percent;
+};
 
 /// Follows the pictures of the document: notices when another program has changed one, and exchanges the
 /// picture for another one of the same proportions, with the motion.

@@ -1,15 +1,22 @@
 #include "app/window/notices/offers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "app/base/in_background.h"
+#include "app/engine/motion/playback.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/document.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/part_edits.h"
 #include "app/project/edits/setting_edits.h"
+#include "app/session/shape_session.h"
+#include "app/window/notices/info_banner.h"
 #include "app/window/notices/picture_checks.h"
+#include "core/base/error.h"
+#include "core/motion/constraints.h"
 #include "warp/drawn_picture.h"
 
 namespace wend {
@@ -25,6 +32,9 @@ bool isDrawingFile(const QString& path) {
         return false;
     }
 }
+
+constexpr double kBack = 1e-6;  // relative to how far the map was from the identity
+constexpr int kSamples = 64;
 
 }  // namespace
 
@@ -160,6 +170,107 @@ void Offers::follow() {
             m_made.erase(offer.topic);
             m_banner.clear(offer.topic);
         }
+}
+
+RidingOffer::RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_session(session), m_banner(banner) {
+    connect(&session.document(), &Document::opened, this, [this] {
+        m_told = 0;
+        m_lookedAt.reset();
+    });
+    connect(&session, &ShapeSession::frameChanged, this, &RidingOffer::look);
+}
+
+/// Looks at every project once, when its motion is there.
+void RidingOffer::look() {
+    const Document& document = m_session.document();
+    if (document.isEmpty() || document.dimension() != 2 || m_session.isDragging() || m_session.isBusy() ||
+        m_session.isStale() || document.project() == m_lookedAt || !(m_session.playback().end() > 0))
+        return;
+    m_lookedAt = document.project();
+    const std::vector<StrayPart> strays = strayParts(m_session);
+    if (strays.empty()) m_banner.clear(InfoBanner::Topic::Riding);
+    if (!strays.empty() && strays.size() != m_told) offer(strays);
+    m_told = strays.size();
+}
+
+void RidingOffer::offer(const std::vector<StrayPart>& strays) {
+    const auto count = static_cast<int>(strays.size());
+    const std::string& host = strays.front().host;
+    const bool isOneHost =
+        !host.empty() && std::ranges::all_of(strays, [&](const StrayPart& one) { return one.host == host; });
+    const QString name = QString::fromStdString(host);
+    const QString one = isOneHost
+                            ? tr("A part has no pin and stays behind: let it ride on “%1”?").arg(name)
+                            : tr("A part has no pin and stays behind: let it ride on what is beside it?");
+    const QString many =
+        isOneHost
+            ? tr("%n parts have no pin and stay behind: let them ride on “%1”?", nullptr, count).arg(name)
+            : tr("%n parts have no pin and stay behind: let them ride on what is beside them?", nullptr,
+                 count);
+    const auto ride = [this, strays] {
+        Document& document = m_session.document();
+        m_banner.clear(InfoBanner::Topic::Riding);
+        if (document.project() == m_lookedAt)
+            document.change(tr("Let parts ride"), withRiders(*document.project(), strays));
+    };
+    m_banner.tell(InfoBanner::Topic::Riding, count == 1 ? one : many,
+                  {{count == 1 ? tr("Let It Ride") : tr("Let Them Ride"), ride}});
+}
+
+bool comesBack(const Pin& handle) {
+    const auto isField = [](const PinMotion& motion) {
+        return std::holds_alternative<FieldMotion<3>>(motion.kind);
+    };
+    if (handle.motions.empty() || std::ranges::any_of(handle.motions, isField)) return false;
+    try {
+        const HandleTimeline<3> timeline(handleIn<3>(handle));
+        const double from = handle.motions.front().start, to = handle.motions.back().end;
+        double farthest = 0, atEnd = 0;
+        for (int k = 0; k <= kSamples; ++k) {
+            const auto map = timeline.bodyAt(from + (to - from) * k / kSamples, Side::Before).position;
+            atEnd = map.b.norm() + (map.A - Mat<3>::Identity()).norm();
+            farthest = std::max(farthest, atEnd);
+        }
+        return atEnd < kBack * farthest;
+    } catch (const InputError&) {
+        return false;  // the motion itself says so
+    }
+}
+
+SpringOffer::SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_session(session), m_banner(banner) {
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        m_isOffered = m_isDeclined = false;
+        follow();
+    });
+    connect(&m_session.document(), &Document::projectChanged, this, &SpringOffer::follow);
+    connect(&m_session.playback(), &Playback::loopsChanged, this, &SpringOffer::follow);
+}
+
+bool SpringOffer::isDue() const {
+    const Document& document = m_session.document();
+    if (document.isEmpty() || settingOf(document, "material.memory") != 0) return false;
+    if (motionEnd(*document.project()) <= 0) return false;
+    if (m_session.playback().loops()) return true;
+    return std::ranges::any_of(document.design().handles, comesBack);
+}
+
+/// The offer is made once for a document.
+void SpringOffer::follow() {
+    const bool isDue = this->isDue();
+    if (isDue == m_isOffered || (isDue && m_isDeclined)) return;
+    m_isOffered = isDue;
+    if (!isDue) return m_banner.clear(InfoBanner::Topic::Spring);
+    m_isDeclined = true;
+    const auto take = [this] {
+        changeSetting(m_session.document(), "material.memory", std::numeric_limits<double>::infinity());
+    };
+    m_banner.tell(
+        InfoBanner::Topic::Spring,
+        tr("What comes back leaves the shape a little different, so that a loop jumps. If the shape "
+           "springs back fully, it is as it was."),
+        {{tr("Spring Back Fully"), take}});
 }
 
 }  // namespace wend

@@ -2,9 +2,12 @@
 
 #include <QObject>
 #include <functional>
+#include <memory>
 #include <set>
 #include <vector>
 
+#include "app/project/pin.h"
+#include "app/session/stray_parts.h"
 #include "app/window/notices/info_banner.h"
 #include "warp/alpha_outline_options.h"
 #include "warp/image.h"
@@ -12,6 +15,7 @@
 namespace wend {
 
 class Document;
+class ShapeSession;
 
 /// Offers to hold the border of a photograph, to include soft edges, to fill the holes of line art, to draw
 /// an SVG drawing in another size, or to open layers as one picture when a file was opened. An offer is shown
@@ -57,6 +61,44 @@ class Offers : public QObject {
     const std::vector<Offer> m_all;
     bool m_isDrawing = false;            // what was opened
     std::set<InfoBanner::Topic> m_made;  // and neither taken nor withdrawn
+};
+
+/// Tells of parts and islands of a picture that no pin holds once the rest has been moved, and offers to let
+/// them follow what is beside them. It is shown once for each number of such parts.
+class RidingOffer : public QObject {
+    Q_OBJECT
+
+  public:
+    RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+
+  private:
+    void look();
+    void offer(const std::vector<StrayPart>& strays);
+
+    ShapeSession& m_session;
+    InfoBanner& m_banner;
+    std::shared_ptr<const Project> m_lookedAt;
+    std::size_t m_told = 0;
+};
+
+/// Returns whether a handle that has moved ends where it began.
+bool comesBack(const Pin& handle);
+
+/// Offers to let the shape spring back fully where it does not spring back at all, and a handle ends where it
+/// began or the film loops: the shape would end elsewhere.
+class SpringOffer : public QObject {
+    Q_OBJECT
+
+  public:
+    SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+
+  private:
+    bool isDue() const;
+    void follow();
+
+    ShapeSession& m_session;
+    InfoBanner& m_banner;
+    bool m_isOffered = false, m_isDeclined = false;
 };
 
 }  // namespace wend

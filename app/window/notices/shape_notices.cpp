@@ -1,5 +1,6 @@
 #include "app/window/notices/shape_notices.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 
 #include "app/base/said.h"
@@ -7,11 +8,34 @@
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
 #include "app/project/edits/setting_edits.h"
+#include "app/session/shape_session.h"
 #include "core/mesh/hanging_parts.h"
+#include "core/solver/solver_choice.h"
 
 namespace wend {
 
 namespace {
+
+constexpr int kFewestVertices = 500;  // of which half are still a shape
+
+QString remedyText(const char* text) {
+    return QCoreApplication::translate("wend::ProblemRemedies", text);
+}
+
+/// The solver's memory grows with the number of vertices only, unlike that of a factor.
+void addLessMemory(Document& document, QList<InfoBanner::Remedy>& remedies) {
+    constexpr auto kMultigrid = static_cast<double>(SolverKind::Multigrid);
+    if (settingOf(document, "integration.solver") != kMultigrid)
+        remedies << InfoBanner::Remedy{
+            remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Use Multigrid")),
+            [&document, kMultigrid] { changeSetting(document, "integration.solver", kMultigrid); }};
+    const double vertices = settingOf(document, "domain.vertices");
+    const bool isMeshed = document.domain().kind != DomainKind::Mesh;
+    if (isMeshed && vertices >= 2 * kFewestVertices)
+        remedies << InfoBanner::Remedy{
+            remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Half as Many Vertices")),
+            [&document, vertices] { changeSetting(document, "domain.vertices", vertices / 2); }};
+}
 
 /// Makes a sentence of a remark. An initial file path keeps its case: only a first word, followed by a space,
 /// is capitalized.
@@ -25,6 +49,16 @@ QString sentence(const QString& remark) {
 }
 
 }  // namespace
+
+QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session) {
+    QList<InfoBanner::Remedy> remedies;
+    if (session.lacksMemory()) addLessMemory(session.document(), remedies);
+    QUndoStack* steps = session.document().undoStack();
+    if (steps->canUndo())
+        remedies << InfoBanner::Remedy{remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Undo")),
+                                       [steps] { steps->undo(); }};
+    return remedies;
+}
 
 ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
     connect(&session, &ShapeSession::frameChanged, this, &ShapeNotices::follow);

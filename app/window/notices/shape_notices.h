@@ -8,6 +8,10 @@
 
 namespace wend {
 
+/// Returns buttons for a project that cannot be computed: where memory is short, a solver that needs less and
+/// half as many vertices, as far as the project allows; and Undo if there is a step.
+QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session);
+
 /// Messages about a new shape, once per mesh.
 class ShapeNotices : public QObject {
     Q_OBJECT

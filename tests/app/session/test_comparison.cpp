@@ -10,7 +10,7 @@
 #include "app/project/edits/material_edits.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/project/options/settings.h"
-#include "app/window/actions/backdrop_choice.h"
+#include "app/window/actions/look_choices.h"
 #include "app/window/compare_view.h"
 #include "app/window/tile_pictures.h"
 #include "core/energy/distortion.h"

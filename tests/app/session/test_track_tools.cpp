@@ -18,14 +18,13 @@
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
 #include "app/window/film/ease_editor.h"
-#include "app/window/film/ease_plot.h"
 #include "app/window/film/key_pose_strip.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_scale.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
-#include "app/window/help/cheat_sheet.h"
+#include "app/window/help/shortcuts.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QThreadPool>
 
-#include "app/window/files/file_card.h"
+#include "app/window/files/start_page.h"
 #include "app/window/files/thumbnail.h"
 #include "app/window/main_window.h"
 #include "tests/support/window_fixture.h"

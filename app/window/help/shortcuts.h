@@ -15,6 +15,17 @@ namespace wend {
 
 class Toolbox;
 
+/// All shortcuts, collected from the current menus, and the mouse gestures.
+class CheatSheet : public QDialog {
+    Q_OBJECT
+
+  public:
+    CheatSheet(const QMenuBar& menus, int dimension, QWidget* parent);
+
+    /// Returns rich text.
+    static QString text(const QMenuBar& menus, int dimension);
+};
+
 /// All actions under the menus that they are in, of which each may get other keys. Keys are remembered at
 /// once.
 class ShortcutDialog : public QDialog {

@@ -1,13 +1,19 @@
-#include "app/window/toolbar/mode_row.h"
+#include "app/window/toolbar/rows.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QToolButton>
+#include <QWidgetAction>
 #include <algorithm>
 
 #include "app/panels/fields/panel_parts.h"
 #include "app/window/actions/actions.h"
+#include "app/window/actions/brush_actions.h"
+#include "app/window/actions/picture_actions.h"
+#include "app/window/actions/pin_actions.h"
+#include "app/window/actions/solid_actions.h"
 #include "app/window/actions/toolbox.h"
 
 namespace wend {
@@ -127,6 +133,91 @@ void ModeRow::collapse() {
     if (!wide) kept = std::clamp(room / (kButton + 2), 0, kept);
     for (int i = 0; i < static_cast<int>(m_spare.size()); ++i)
         m_spare[i]->setVisible(i >= static_cast<int>(m_spare.size()) - kept);
+}
+
+QList<QAction*> ToolOptions::of(const ToolKind& kind) const {
+    QList<QAction*> all;
+    for (const ToolOption option : kind.options) all << of(option);
+    return all;
+}
+
+QList<QAction*> ToolOptions::of(ToolOption option) const {
+    switch (option) {
+        case ToolOption::Grip:
+            return {pins.move, pins.turn, pins.grow};
+        case ToolOption::SelectBy:
+            return {pins.selectRectangle, pins.selectLasso, pins.selectBrush};
+        case ToolOption::Through:
+            return {solids.through};
+        case ToolOption::Snap:
+            return {pins.snap};
+        case ToolOption::AddsOrTakes:
+            return {outline.adds, outline.takesAway, outline.makesPart};
+        case ToolOption::PenSize:
+            return {outline.size};
+        case ToolOption::Tolerance:
+            return {outline.tolerance};
+        case ToolOption::Edges:
+            return {brush.edges};
+        case ToolOption::Target:
+            return {brush.keep, brush.stiffness, brush.direction};
+        case ToolOption::BrushSize:
+            return {brush.size};
+        case ToolOption::GrabSize:
+            return {pins.brushSize};
+        case ToolOption::Tip:
+            return {brush.size, brush.hardness, brush.amount, brush.pressure};
+        case ToolOption::Order:
+            return {brush.order};
+        case ToolOption::Separator:
+            break;
+    }
+    return {nullptr};
+}
+
+OptionRow::OptionRow(const Toolbox& tools, const Actions& actions, const ToolOptions& options,
+                     QWidget* parent)
+    : QToolBar(tr("Options"), parent), m_tools(tools), m_actions(actions), m_options(options) {
+    setObjectName(QStringLiteral("optionRow"));
+    setMovable(false);
+    setIconSize({20, 20});
+    setFixedHeight(40);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    connect(&m_tools, &Toolbox::changed, this, &OptionRow::showTool);
+    showTool();
+}
+
+/// Options of solids are hidden with their actions while a picture is open.
+void OptionRow::showTool() {
+    clear();
+    const ToolKind* kind = m_tools.current();
+    if (!kind) return;
+    QAction* tool = m_tools.action(QString::fromLatin1(kind->id));
+    auto* title = new QLabel(withoutKey(tool->text()));
+    title->setProperty("role", "title");
+    title->setContentsMargins(8, 0, 8, 0);
+    addWidget(title);
+    bool any = false;
+    for (QAction* option : m_options.of(*kind)) {
+        option ? addAction(option) : static_cast<void>(addSeparator());
+        any = any || (option && option->isVisible());
+    }
+    if (m_tools.mode() == Mode::Animate) return showMotion();
+    if (any) return;
+    auto* help = new QLabel(ActionMaker::helpOf(*tool));
+    help->setProperty("role", "second");
+    addWidget(help);
+}
+
+void OptionRow::showMotion() {
+    QAction* speed = m_actions.speed->menuAction();
+    addSeparator();
+    for (QAction* action : {m_actions.record, m_actions.onionSkin, m_actions.loop}) {
+        addAction(action);
+        qobject_cast<QToolButton*>(widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
+    addAction(speed);
+    qobject_cast<QToolButton*>(widgetForAction(speed))->setPopupMode(QToolButton::InstantPopup);
 }
 
 }  // namespace wend

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <QAction>
+#include <QList>
+#include <QToolBar>
 #include <QWidget>
+
+#include "app/tools/tool_kind.h"
 
 class QToolButton;
 
 namespace wend {
 
 class Actions;
+class BrushActions;
+class PictureActions;
+class PinActions;
+class SolidActions;
 class Toolbox;
 
 /// The row below the menus: files and undo on the left, the steps in the middle, view and export on the
@@ -36,6 +45,37 @@ class ModeRow : public QWidget {
     std::vector<QToolButton*> m_steps;
     std::vector<QToolButton*> m_spare;  // hidden first to last
     QToolButton *m_zoom = nullptr, *m_export = nullptr;
+};
+
+/// The options beside tools' names.
+struct ToolOptions {
+    const SolidActions& solids;
+    const PictureActions& outline;
+    const PinActions& pins;
+    const BrushActions& brush;
+
+    /// A null action separates.
+    QList<QAction*> of(const ToolKind& kind) const;
+
+  private:
+    QList<QAction*> of(ToolOption option) const;
+};
+
+/// The options row of the active tool: its name, its hint and its options; in the step Animate also those of
+/// the film.
+class OptionRow : public QToolBar {
+    Q_OBJECT
+
+  public:
+    OptionRow(const Toolbox& tools, const Actions& actions, const ToolOptions& options, QWidget* parent);
+
+  private:
+    void showTool();
+    void showMotion();
+
+    const Toolbox& m_tools;
+    const Actions& m_actions;
+    ToolOptions m_options;
 };
 
 }  // namespace wend

@@ -1,4 +1,4 @@
-#include "app/window/files/detail_chooser.h"
+#include "app/window/files/choosers.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -6,7 +6,9 @@
 #include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
+#include "app/engine/applied_motion.h"
 #include "app/project/domain.h"
+#include "app/project/edits/document.h"
 #include "core/base/error.h"
 #include "core/mesh/mesh_formats.h"
 #include "core/mesh/skin_file.h"
@@ -33,6 +35,22 @@ QString surfacePatterns() {
             for (const auto& extension : format.extensions)
                 patterns << '*' + QString::fromUtf8(extension.data(), extension.size());
     return patterns.join(' ');
+}
+
+/// A project with another motion, or why there is none.
+struct Applied {
+    TransferredMotion motion;
+    QString error;
+};
+
+Applied tryToApply(const QString& path, const Project& project, const QString& folder) {
+    Applied outcome;
+    try {
+        outcome.motion = withMotionOf(path.toStdString(), project, folder.toStdString());
+    } catch (const std::exception& error) {
+        outcome.error = said(error);
+    }
+    return outcome;
 }
 
 }  // namespace
@@ -72,6 +90,37 @@ void DetailChooser::remove() {
     Domain next = m_document.domain();
     next.detail.clear();
     m_document.changeDomain(tr("Remove skin"), std::move(next));
+}
+
+MotionChooser::MotionChooser(Document& document, QWidget& window)
+    : QObject(&window), m_document(document), m_window(window) {}
+
+void MotionChooser::ask() {
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Apply Motion of Another Project"),
+                                                      preferences::folder.value(), tr("Projects (*.wend)"));
+    if (path.isEmpty()) return;
+    preferences::folder.set(QFileInfo(path).absolutePath());
+    apply(QFileInfo(path).absoluteFilePath());
+}
+
+void MotionChooser::apply(const QString& path) {
+    if (m_document.isEmpty()) return;
+    const int ticket = ++m_ticket;
+    const auto before = m_document.project();
+    const auto work = [path, before, folder = m_document.folder()] {
+        return tryToApply(path, *before, folder);
+    };
+    inBackground(this, work, [this, ticket, before, path](const Applied& outcome) {
+        if (ticket != m_ticket || m_document.project() != before) return;
+        if (!outcome.error.isEmpty()) {
+            emit failed(tr("This motion cannot be applied. %1").arg(outcome.error));
+            return;
+        }
+        m_document.change(tr("Apply motion of %1").arg(QFileInfo(path).fileName()), outcome.motion.project);
+        QStringList remarks;
+        for (const Message& notice : outcome.motion.notices) remarks << said(notice);
+        emit applied(remarks.join('\n'));
+    });
 }
 
 }  // namespace wend

@@ -39,4 +39,21 @@ class ContextMenu : public QObject {
     std::unique_ptr<QMenu> m_menu;
 };
 
+/// Makes mnemonics of a menu and its submenus unique in any language: an entry whose letter is taken gets
+/// another letter of its text.
+void makeLettersUnique(QMenu& menu);
+
+/// Shows why a menu entry is disabled while the pointer rests on it, because status tips do not cover
+/// disabled entries.
+class MenuReasons : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Watches all menus.
+    explicit MenuReasons(QObject* parent);
+
+  private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
 }  // namespace wend
