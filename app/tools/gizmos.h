@@ -90,4 +90,76 @@ class Gizmo {
     Part m_part;
 };
 
+/// The ring around the selection in a picture: its dot rotates, its square scales. It is dotted around a
+/// single point, which becomes a small disc when its ring is dragged.
+class PinRing : public Gizmo {
+  public:
+    void setGrip(Grip::Kind kind) override { m_kind = kind; }
+    bool comesFirst() const override { return false; }
+    std::optional<Part> anywhere() const override;
+    std::optional<Part> partAt(const ShapeView& view, const QPointF& widget) const override;
+    bool turnsPointAt(const ShapeView& view, const QPointF& widget) const override;
+    QString hint() const override;
+
+    void begin(const Part& part, const ShapeView& view, const QPointF& widget) override;
+    Grip grip(const ShapeView& view) const override;
+    Amount drag(const ShapeView& view, const QPointF& widget, bool snaps = false) override;
+    /// A typed length is along the axis, or where the drag went last.
+    Amount typed(double number, const ShapeView& view) const override;
+
+    void paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const override;
+    /// Moving pins have no ring.
+    void paintDragged(QPainter& painter, const ShapeView& view, const Amount& amount) const override;
+
+  private:
+    void takePlace() override { m_turned = 0; }
+    QPointF spot(Grip::Kind kind, const QPointF& centre) const;
+    std::optional<double> angleAt(const ShapeView& view, const QPointF& widget) const;
+
+    Grip::Kind m_kind = Grip::Kind::Move;
+    Vec3 m_startPoint = Vec3::Zero(), m_way = Vec3::Zero();
+    std::optional<double> m_lastAngle;  // none while the pointer has not left the middle
+    double m_angle = 0, m_lead = 0, m_startDistance = 1, m_turned = 0;
+};
+
+/// A manipulator around a point of a solid: arrows, squares, rings and a disc.
+class Manipulator : public Gizmo {
+  public:
+    /// Tilt: an arrow along the third axis and rings around the first two, for a plane.
+    enum class Mode { Move, Turn, Grow, Tilt };
+    void setMode(Mode mode) { m_mode = mode; }
+    void setGrip(Grip::Kind kind) override;
+    bool comesFirst() const override { return true; }
+    using Gizmo::place;
+    /// The axes are the columns.
+    void place(const Vec3& centre, const Mat<3>& axes);
+    Vec3 axis(int k) const { return m_axes.col(k); }
+    QString hint() const override;
+
+    std::optional<Part> partAt(const ShapeView& view, const QPointF& widget) const override;
+    void begin(const Part& part, const ShapeView& view, const QPointF& widget) override;
+    Grip grip(const ShapeView& view) const override;
+    Amount drag(const ShapeView& view, const QPointF& widget, bool snaps = false) override;
+    Amount typed(double number, const ShapeView& view) const override;
+
+    void paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const override;
+    /// Draws the manipulator at the dragged place.
+    void paintDragged(QPainter& painter, const ShapeView& view, const Amount& amount) const override;
+
+  private:
+    std::vector<Part> parts() const;
+    std::vector<Vec3> outline(const Part& part, const ShapeView& view) const;
+    Vec3 normalOf(const Part& part, const ShapeView& view) const;
+    double length(const ShapeView& view) const;
+    Vec3 alongOneAxis(const Vec3& way) const;
+    Vec3 pointAt(const ShapeView& view, const QPointF& widget) const;
+    double angleAt(const ShapeView& view, const QPointF& widget) const;
+    double distanceAt(const ShapeView& view, const QPointF& widget) const;
+
+    Mode m_mode = Mode::Move;
+    Mat<3> m_axes = Mat<3>::Identity();
+    Vec3 m_startPoint = Vec3::Zero();
+    double m_lastAngle = 0, m_angle = 0, m_startDistance = 1;
+};
+
 }  // namespace wend
