@@ -10,7 +10,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/timing_edits.h"
-#include "app/style/pin_marks.h"
+#include "app/views/shape/shape_painter.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"
