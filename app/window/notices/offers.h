@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/project/pin.h"
-#include "app/session/stray_parts.h"
+#include "app/session/part_making.h"
 #include "app/window/notices/info_banner.h"
 #include "warp/alpha_outline_options.h"
 #include "warp/image.h"

@@ -24,7 +24,6 @@
 #include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
 #include "app/session/part_making.h"
-#include "app/session/stray_parts.h"
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"

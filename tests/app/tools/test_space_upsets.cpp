@@ -2,8 +2,8 @@
 #include <QListWidget>
 #include <QSignalSpy>
 
-#include "app/panels/curve_panel.h"
 #include "app/panels/fields/exact_box.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"
 #include "app/project/design.h"

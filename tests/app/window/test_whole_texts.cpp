@@ -9,7 +9,7 @@
 #include <QTextBrowser>
 #include <QTranslator>
 
-#include "app/panels/folding_section.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/project/design.h"

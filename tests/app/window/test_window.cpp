@@ -12,9 +12,9 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/project/design.h"
