@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/mpi/divided_coarse.h"
-#include "app/mpi/divided_level.h"
+#include "app/mpi/divided_levels.h"
 #include "app/mpi/division.h"
 #include "app/mpi/packet.h"
 #include "app/mpi/team.h"

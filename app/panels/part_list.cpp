@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/engine/shape/joint_place.h"
+#include "app/engine/shape/mesh_parts.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/fields/number_box.h"
 #include "app/panels/fields/panel_parts.h"

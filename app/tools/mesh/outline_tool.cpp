@@ -8,7 +8,6 @@
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
-#include "app/project/edits/outline_edits.h"
 #include "app/project/edits/part_edits.h"
 #include "app/session/part_making.h"
 #include "app/style/colours.h"

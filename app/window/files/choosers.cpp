@@ -6,7 +6,7 @@
 #include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
-#include "app/engine/applied_motion.h"
+#include "app/engine/motion_transfer.h"
 #include "app/project/domain.h"
 #include "app/project/edits/document.h"
 #include "core/base/error.h"

@@ -13,7 +13,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
-#include "app/project/edits/outline_edits.h"
+#include "app/project/edits/part_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
 #include "app/session/pins/pin_traits.h"
