@@ -5,7 +5,6 @@
 #include <QPixmap>
 #include <QPushButton>
 
-#include "app/base/in_background.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
@@ -28,9 +27,8 @@ QColor colourOf(int group) {
     return QColor::fromHsvF(static_cast<float>(hue - std::floor(hue)), 0.75F, group % 2 == 0 ? 0.85F : 0.65F);
 }
 
-}  // namespace
-
-std::vector<HeldGroup> heldGroups(const std::string& path) try {
+/// Returns the groups of a mesh file. Thread-safe.
+std::vector<HeldGroup> heldGroups(const std::string& path) {
     std::vector<HeldGroup> groups;
     const auto file = sharedMeshFile(path);
     for (const GroupFacts& facts : groupFacts(*file)) {
@@ -44,10 +42,9 @@ std::vector<HeldGroup> heldGroups(const std::string& path) try {
         groups.push_back(std::move(group));
     }
     return groups;
-} catch (const std::exception&) {
-    return {};
 }
 
+/// Adds a handle that holds a group, by its name, and selects it.
 void holdGroup(ShapeSession& session, const HeldGroup& group) {
     Document& document = session.document();
     const int count = session.handleCount();
@@ -61,6 +58,8 @@ void holdGroup(ShapeSession& session, const HeldGroup& group) {
                           std::move(design));
     session.selection().set({count});
 }
+
+}  // namespace
 
 GroupList::GroupList(ShapeSession& session, QWidget* parent)
     : QWidget(parent),
@@ -96,16 +95,13 @@ GroupList::GroupList(ShapeSession& session, QWidget* parent)
 
 /// Reads in the background, because the file may be large.
 void GroupList::read() {
-    const int ticket = ++m_ticket;
+    m_reading.drop();
     take({});
     const Document& document = m_session.document();
     if (document.isEmpty() || document.domain().kind == DomainKind::Image) return;
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    inBackground(
-        this, [path] { return heldGroups(path); },
-        [this, ticket](const std::vector<HeldGroup>& groups) {
-            if (ticket == m_ticket) take(groups);
-        });
+    m_reading.ask([path] { return heldGroups(path); },
+                  [this](const Answer<std::vector<HeldGroup>>& groups) { take(groups.value); });
 }
 
 void GroupList::take(const std::vector<HeldGroup>& groups) {

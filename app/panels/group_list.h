@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/base/latest.h"
 #include "app/session/shape_session.h"
 
 class QListWidget;
@@ -21,12 +22,6 @@ struct HeldGroup {
     int count = 0;      // of its cells or vertices
     std::vector<int> vertices;
 };
-
-/// Returns the groups of a mesh file; none if it cannot be read. Thread-safe.
-std::vector<HeldGroup> heldGroups(const std::string& path);
-
-/// Adds a handle that holds a group, by its name, and selects it.
-void holdGroup(ShapeSession& session, const HeldGroup& group);
 
 /// The vertices of a group, as they are marked on the shape.
 struct GroupMark {
@@ -65,7 +60,7 @@ class GroupList : public QWidget {
     QListWidget* m_list;
     QPushButton* m_hold;
     QWidget* m_content;  // hidden where there are no groups
-    int m_ticket = 0;    // of the newest reading
+    Latest m_reading{this};
 };
 
 }  // namespace wend

@@ -18,7 +18,6 @@
 #include "app/output/svg_export.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/window/export/answer.h"
 #include "app/window/export/export_button.h"
 #include "app/window/export/export_formats.h"
 #include "core/base/error.h"
@@ -63,10 +62,6 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     connect(&m_previewTimer, &QTimer::timeout, this, &ExportForm::startPreview);
 }
 
-ExportForm::~ExportForm() {
-    m_previewStop.request_stop();
-}
-
 void ExportForm::setSubject(const ExportSubject& subject) {
     const auto picture = m_subject.shape ? m_subject.shape->picture() : nullptr;
     const auto prepared = subject.shape->picture() == picture ? m_subject.picture : nullptr;
@@ -102,7 +97,7 @@ void ExportForm::reset() {
 
 /// Keeps the last preview unless it belongs to another document.
 void ExportForm::setNothing(const QString& why) {
-    m_previewStop.request_stop();
+    m_previews.drop();
     m_previewTimer.stop();
     m_subject.shape.reset();
     m_preview->setOutdated();
@@ -353,15 +348,13 @@ void ExportForm::preparePicture() {
 /// Starts a preview soon and cancels pending ones. The picture of a solid came with the subject.
 void ExportForm::askPreview() {
     if (shape()->dimension() == 3) return;
-    m_previewStop.request_stop();
+    m_previews.drop();
     m_preview->setOutdated();
     m_previewTimer.start();
 }
 
 void ExportForm::startPreview() {
     if (!shape() || (shape()->picture() && !m_subject.picture)) return;
-    m_previewStop.request_stop();
-    m_previewStop = std::stop_source();
     const bool dark = Theme::of(palette()).dark;
     const PreviewRequest request{kind(),
                                  extension().toStdString(),
@@ -370,12 +363,11 @@ void ExportForm::startPreview() {
                                  devicePixelRatioF(),
                                  dark ? QColor(0x5b6070) : QColor(0xbfc6dd),
                                  QColor(24, 28, 44)};
-    const std::stop_token stop = m_previewStop.get_token();
-    const auto draw = [shape = m_subject.shape, picture = m_subject.picture, request, stop] {
-        return answerOf<QImage>([&] { return exportPreview(*shape, picture, request, stop); });
+    const auto draw = [shape = m_subject.shape, picture = m_subject.picture,
+                       request](const std::stop_token& stop) {
+        return exportPreview(*shape, picture, request, stop);
     };
-    inBackground(this, draw, [this, stop](const Answer<QImage>& answer) {
-        if (stop.stop_requested()) return;
+    m_previews.ask(draw, [this](const Answer<QImage>& answer) {
         if (!answer.problem.isEmpty()) tellProblem(answer.problem);
         m_preview->setProperty("bare", !isPicture());
         m_preview->setImage(answer.value);

@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
 #include "app/engine/motion_transfer.h"
@@ -17,15 +16,12 @@ namespace wend {
 
 namespace {
 
-/// Returns the problem of a file; empty if it is usable.
-QString problemOf(const QString& path) try {
-    const Skin skin = readSkin(path.toStdString());
-    if (skin.triangles.empty()) throw InputError(path.toStdString(), "has no triangle");
-    if (!skin.points.allFinite())
-        throw InputError(path.toStdString(), "has coordinates that are not finite numbers");
-    return {};
-} catch (const std::exception& error) {
-    return said(error);
+/// Throws InputError for what cannot be embedded.
+Skin readDetail(const std::string& path) {
+    Skin skin = readSkin(path);
+    if (skin.triangles.empty()) throw InputError(path, "has no triangle");
+    if (!skin.points.allFinite()) throw InputError(path, "has coordinates that are not finite numbers");
+    return skin;
 }
 
 QString surfacePatterns() {
@@ -35,22 +31,6 @@ QString surfacePatterns() {
             for (const auto& extension : format.extensions)
                 patterns << '*' + QString::fromUtf8(extension.data(), extension.size());
     return patterns.join(' ');
-}
-
-/// A project with another motion, or why there is none.
-struct Applied {
-    TransferredMotion motion;
-    QString error;
-};
-
-Applied tryToApply(const QString& path, const Project& project, const QString& folder) {
-    Applied outcome;
-    try {
-        outcome.motion = withMotionOf(path.toStdString(), project, folder.toStdString());
-    } catch (const std::exception& error) {
-        outcome.error = said(error);
-    }
-    return outcome;
 }
 
 }  // namespace
@@ -69,12 +49,11 @@ void DetailChooser::ask() {
 
 /// Reads in the background, because the file may be large.
 void DetailChooser::read(const QString& path) {
-    const int ticket = ++m_ticket, generation = m_document.generation();
-    const auto look = [path] { return problemOf(path); };
-    inBackground(this, look, [this, path, ticket, generation](const QString& problem) {
-        if (ticket != m_ticket || generation != m_document.generation()) return;
-        if (!problem.isEmpty()) {
-            emit failed(tr("This surface cannot be embedded in the solid. %1").arg(problem));
+    const auto look = [path] { return readDetail(path.toStdString()); };
+    m_reading.ask(look, [this, path, generation = m_document.generation()](const Answer<Skin>& skin) {
+        if (generation != m_document.generation()) return;
+        if (!skin.problem.isEmpty()) {
+            emit failed(tr("This surface cannot be embedded in the solid. %1").arg(skin.problem));
             return;
         }
         Domain next = m_document.domain();
@@ -86,7 +65,7 @@ void DetailChooser::read(const QString& path) {
 
 void DetailChooser::remove() {
     if (m_document.isEmpty() || m_document.domain().detail.empty()) return;
-    ++m_ticket;
+    m_reading.drop();
     Domain next = m_document.domain();
     next.detail.clear();
     m_document.changeDomain(tr("Remove skin"), std::move(next));
@@ -105,20 +84,19 @@ void MotionChooser::ask() {
 
 void MotionChooser::apply(const QString& path) {
     if (m_document.isEmpty()) return;
-    const int ticket = ++m_ticket;
     const auto before = m_document.project();
-    const auto work = [path, before, folder = m_document.folder()] {
-        return tryToApply(path, *before, folder);
+    const auto work = [path, before, folder = m_document.folder()](const std::stop_token& stop) {
+        return withMotionOf(path.toStdString(), *before, folder.toStdString(), stop);
     };
-    inBackground(this, work, [this, ticket, before, path](const Applied& outcome) {
-        if (ticket != m_ticket || m_document.project() != before) return;
-        if (!outcome.error.isEmpty()) {
-            emit failed(tr("This motion cannot be applied. %1").arg(outcome.error));
+    m_applying.ask(work, [this, before, path](const Answer<TransferredMotion>& motion) {
+        if (m_document.project() != before) return;
+        if (!motion.problem.isEmpty()) {
+            emit failed(tr("This motion cannot be applied. %1").arg(motion.problem));
             return;
         }
-        m_document.change(tr("Apply motion of %1").arg(QFileInfo(path).fileName()), outcome.motion.project);
+        m_document.change(tr("Apply motion of %1").arg(QFileInfo(path).fileName()), motion.value.project);
         QStringList remarks;
-        for (const Message& notice : outcome.motion.notices) remarks << said(notice);
+        for (const Message& notice : motion.value.notices) remarks << said(notice);
         emit applied(remarks.join('\n'));
     });
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "app/base/latest.h"
 #include "app/project/edits/document.h"
 
 class QWidget;
@@ -28,7 +29,7 @@ class DetailChooser : public QObject {
 
     Document& m_document;
     QWidget& m_window;
-    int m_ticket = 0;  // of the file that is being read
+    Latest m_reading{this};
 };
 
 /// Asks for another project and gives the document that project's motion, in one undo step.
@@ -51,7 +52,7 @@ class MotionChooser : public QObject {
   private:
     Document& m_document;
     QWidget& m_window;
-    int m_ticket = 0;  // of the newest choice
+    Latest m_applying{this};
 };
 
 }  // namespace wend

@@ -12,7 +12,6 @@
 #include <QRegularExpression>
 #include <memory>
 
-#include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
 #include "app/output/own_files.h"
@@ -85,7 +84,7 @@ QString words(const std::exception& error) {
 
 }  // namespace
 
-/// The result of reading a file in the background, or its error. (Futures would slice the exception.)
+/// The result of reading a file in the background, or its error.
 struct Reading {
     QString path;
     OpenedFile file;
@@ -161,21 +160,18 @@ void FileWorkflow::open(const QString& path) {
 }
 
 void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader) {
-    const int ticket = ++m_ticket;
     say(Topic::Opening, {});
     emit openingChanged(QFileInfo(path).fileName());
     const auto before = m_document.project();
     const auto work = [path, found = m_found, reader = std::move(reader)] {
         return tryToRead(path, found, reader);
     };
-    inBackground(this, work, [this, ticket, before](const Reading& reading) {
+    m_opening.ask(work, [this, before](const Answer<Reading>& answer) {
+        const Reading& reading = answer.value;
         emit openingChanged({});
-        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) {
-            tellOf(reading);
-        } else if (ticket == m_ticket) {
-            const bool changedMeanwhile = m_document.project() != before;
-            if (!changedMeanwhile || mayLeave()) take(reading);
-        }
+        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) return tellOf(reading);
+        const bool changedMeanwhile = m_document.project() != before;
+        if (!changedMeanwhile || mayLeave()) take(reading);
     });
 }
 
@@ -374,7 +370,8 @@ bool FileWorkflow::write(const QString& path) {
 
 void FileWorkflow::close() {
     if (!mayLeave()) return;
-    ++m_ticket;
+    m_opening.drop();
+    emit openingChanged({});
     m_document.close();
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 
+#include "app/base/latest.h"
 #include "app/project/edits/recovery.h"
 #include "app/window/notices/info_banner.h"
 
@@ -84,7 +85,7 @@ class FileWorkflow : public QObject {
     QString m_copies;         // the folder of unsaved changes
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     std::function<bool()> m_isPractice;
-    int m_ticket = 0;  // of the newest opening; results of older ones are ignored
+    Latest m_opening{this};
 };
 
 }  // namespace wend

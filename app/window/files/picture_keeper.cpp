@@ -9,7 +9,6 @@
 #include <QSpinBox>
 #include <cmath>
 
-#include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
 #include "app/engine/shape/flat_shape.h"
@@ -49,22 +48,6 @@ QDoubleSpinBox* percentBox(const DrawnSize& now, const DrawnSize& first, QWidget
 }
 
 using Topic = InfoBanner::Topic;
-
-/// A picture that was read, or why it could not be.
-struct PictureReading {
-    std::shared_ptr<const Image> picture;
-    QString error;
-};
-
-PictureReading tryToReadPicture(const Domain& domain, const QString& folder) {
-    PictureReading reading;
-    try {
-        reading.picture = loadPicture(domain, folder.toStdString());
-    } catch (const std::exception& error) {
-        reading.error = said(error);
-    }
-    return reading;
-}
 
 /// Returns the paths of all picture files of the document.
 QStringList picturesOf(const Document& document) {
@@ -136,7 +119,7 @@ PictureKeeper::PictureKeeper(Document& document, QWidget& window)
     : QObject(&window), m_document(document), m_window(window) {
     connect(&document, &Document::opened, this, [this] {
         m_files.clear();  // of another document, though perhaps the same ones
-        ++m_ticket;
+        m_reading.drop();
         follow();
     });
     connect(&document, &Document::projectChanged, this, &PictureKeeper::follow);
@@ -223,25 +206,26 @@ void PictureKeeper::redraw(const DrawnSize& size) {
 /// Reads the picture of a project that is to follow, and changes to it. `mayDiffer`: it stays as it is if the
 /// proportions of the pictures differ.
 void PictureKeeper::exchange(const Project& next, const QString& name, bool mayDiffer) {
-    const int ticket = ++m_ticket;
+    using Picture = std::shared_ptr<const Image>;
     const auto before = m_document.project();
-    const auto work = [domain = next.domain, folder = m_document.folder()] {
-        return tryToReadPicture(domain, folder);
+    const auto work = [domain = next.domain, folder = m_document.folder()]() -> Picture {
+        return loadPicture(domain, folder.toStdString());
     };
-    inBackground(this, work, [this, ticket, before, next, name, mayDiffer](const PictureReading& reading) {
-        if (ticket != m_ticket || m_document.project() != before) return;
+    m_reading.ask(work, [this, before, next, name, mayDiffer](const Answer<Picture>& reading) {
+        if (m_document.project() != before) return;
         const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
-        if (!reading.error.isEmpty()) return tell(tr("The picture cannot be read. %1").arg(reading.error));
+        if (!reading.problem.isEmpty())
+            return tell(tr("The picture cannot be read. %1").arg(reading.problem));
+        const Picture& picture = reading.value;
         const auto was = m_document.picture();
         Project fitted = next;
         QString told;
         const bool isSized = next.domain.parts.empty() || next.domain.size != before->domain.size;
-        if (was && reading.picture && next.domain.kind == DomainKind::Image && isSized) {
-            const double factor =
-                factorBetween({was->width, was->height}, {reading.picture->width, reading.picture->height});
+        if (was && picture && next.domain.kind == DomainKind::Image && isSized) {
+            const double factor = factorBetween({was->width, was->height}, {picture->width, picture->height});
             const QString sizes = tr("It has %1 × %2 pixels, and the picture before had %3 × %4.")
-                                      .arg(reading.picture->width)
-                                      .arg(reading.picture->height)
+                                      .arg(picture->width)
+                                      .arg(picture->height)
                                       .arg(was->width)
                                       .arg(was->height);
             if (factor == 0 && !mayDiffer)
@@ -250,12 +234,11 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
             if (factor != 0 && factor != 1) told = tr("Pins and paths are scaled with it. %1").arg(sizes);
             if (factor != 0) scalePixels(fitted, factor);
             if (fitted.domain.size[0] > 0)  // old projects stay without it
-                fitted.domain.size = {reading.picture->width, reading.picture->height};
+                fitted.domain.size = {picture->width, picture->height};
         }
-        m_document.keepPicture(fitted.domain.path, fitted.domain.readings, reading.picture);
+        m_document.keepPicture(fitted.domain.path, fitted.domain.readings, picture);
         const bool isResized =
-            reading.picture && was &&
-            (was->width != reading.picture->width || was->height != reading.picture->height);
+            picture && was && (was->width != picture->width || was->height != picture->height);
         m_document.change(name, std::move(fitted));
         if (isResized) emit resized();
         if (!told.isEmpty()) tell(told);  // the change takes earlier lines back

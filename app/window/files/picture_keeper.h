@@ -5,6 +5,7 @@
 #include <QObject>
 #include <functional>
 
+#include "app/base/latest.h"
 #include "app/window/notices/info_banner.h"
 #include "warp/vector_drawing.h"
 
@@ -70,7 +71,7 @@ class PictureKeeper : public QObject {
     QWidget& m_window;
     QStringList m_files;           // that are watched
     QList<ProjectWatch*> m_watch;  // one for each
-    int m_ticket = 0;              // of the newest exchange
+    Latest m_reading{this};
 };
 
 }  // namespace wend
