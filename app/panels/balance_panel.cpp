@@ -81,27 +81,27 @@ void ReachRow::showProject() {
     if (!m_slider->isSliderDown()) m_slider->setValue(stepOfReach(settingOf(project, kKey)));
 }
 
-BalancePanel::BalancePanel(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_settings(session.document(), this) {
+BalancePanel::BalancePanel(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_settings(document, this) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 4, 16, 10);
     layout->setSpacing(8);
     for (const char* key : {"material.phi", "material.smoothing.length"})
         layout->addWidget(m_settings.row(key));
     showInTip(m_settings.field("material.phi").focusProxy(),
-              [this] { return energyPictures(m_session.document().dimension()); });
+              [this] { return energyPictures(m_document.dimension()); });
     showInTip(m_settings.field("material.smoothing.length").focusProxy(), reachPictures);
-    connect(&m_session.document(), &Document::projectChanged, this, &BalancePanel::showProject);
+    connect(&m_document, &Document::projectChanged, this, &BalancePanel::showProject);
     showProject();
 }
 
 /// Shows the project. Without smoothing the length is 0 and can still be set.
 void BalancePanel::showProject() {
-    setEnabled(!m_session.document().isEmpty());
-    if (m_session.document().isEmpty()) return;
+    setEnabled(!m_document.isEmpty());
+    if (m_document.isEmpty()) return;
     m_settings.show();
-    const bool paper = settingOf(*m_session.document().project(), "material.smoothing.kind") ==
-                       static_cast<int>(SmoothingKind::Paper);
+    const bool paper =
+        settingOf(*m_document.project(), "material.smoothing.kind") == static_cast<int>(SmoothingKind::Paper);
     m_settings.field("material.smoothing.length")
         .allow(!paper, tr("This project smooths as in the paper, with λ; its file says how much."));
 }

@@ -4,7 +4,6 @@
 
 #include "app/panels/fields/setting_rows.h"
 #include "app/project/edits/document.h"
-#include "app/session/shape_session.h"
 
 namespace wend {
 
@@ -31,12 +30,12 @@ class BalancePanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit BalancePanel(ShapeSession& session, QWidget* parent = nullptr);
+    explicit BalancePanel(Document& document, QWidget* parent = nullptr);
 
   private:
     void showProject();
 
-    ShapeSession& m_session;
+    Document& m_document;
     SettingRows m_settings;
 };
 

@@ -122,9 +122,10 @@ void MemorySlider::paintEvent(QPaintEvent*) {
     painter.drawText(line, Qt::AlignRight, tr("fully"));
 }
 
-FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
+FlowPanel::FlowPanel(Document& document, Playback& playback, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_playback(playback),
       m_memory(new MemorySlider(this)),
       m_settle(new QPushButton(tr("Relax"), this)) {
     m_settle->setObjectName(QStringLiteral("settle"));
@@ -138,21 +139,21 @@ FlowPanel::FlowPanel(ShapeSession& session, QWidget* parent)
     layout->setSpacing(8);
     layout->addLayout(sideBySide({panelTitle(tr("Springs back"), this), nullptr, m_settle}));
     layout->addWidget(m_memory);
-    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_session); });
+    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_document, m_playback); });
     connect(m_memory, &MemorySlider::memoryChosen, this, [this](double memory, int gesture) {
-        changeSetting(m_session.document(), "material.memory", memory, gesture);
+        changeSetting(m_document, "material.memory", memory, gesture);
     });
-    connect(&m_session.document(), &Document::projectChanged, this, &FlowPanel::showProject);
+    connect(&m_document, &Document::projectChanged, this, &FlowPanel::showProject);
     showProject();
 }
 
 void FlowPanel::showProject() {
-    setEnabled(!m_session.document().isEmpty());
-    if (m_session.document().isEmpty()) return;
-    const double memory = settingOf(*m_session.document().project(), "material.memory");
+    setEnabled(!m_document.isEmpty());
+    if (m_document.isEmpty()) return;
+    const double memory = settingOf(*m_document.project(), "material.memory");
     const bool isElastic = std::isinf(memory);
     allow(
-        m_settle, canSettle(m_session.document()),
+        m_settle, canSettle(m_document),
         isElastic ? tr("A shape that springs back fully is always relaxed.") : tr("Nothing has moved yet."));
     m_memory->setMemory(memory);
 }

@@ -2,7 +2,8 @@
 
 #include <QWidget>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 
 class QPushButton;
 class QSlider;
@@ -46,12 +47,13 @@ class FlowPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FlowPanel(ShapeSession& session, QWidget* parent = nullptr);
+    explicit FlowPanel(Document& document, Playback& playback, QWidget* parent = nullptr);
 
   private:
     void showProject();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     MemorySlider* m_memory;
     QPushButton* m_settle;
 };

@@ -95,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_tracks(new TrackView(m_session)),
       m_pages(new QStackedWidget),
       m_work(new WorkNote(m_session, *m_pages)),
-      m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
+      m_tutorial(new Tutorial({m_session.document(), m_session.playback(), *m_actions, *m_tools}, *m_pages)),
       m_appearance(new AppearanceChoice(*m_actions, *this)) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
@@ -358,7 +358,7 @@ void MainWindow::connectViewport(Viewport& view) {
 }
 
 void MainWindow::connectHelp() {
-    new SideWindows(m_session, *m_actions, *m_tools, *this);
+    new SideWindows(m_session.document(), *m_actions, *m_tools, *this);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
     connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });

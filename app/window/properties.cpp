@@ -52,11 +52,11 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
       m_material(new MaterialPanel(session)),
       m_reach(new ReachRow(session.document())),
       m_mesh(new MeshPanel(session)),
-      m_cutOut(new CutOutPanel(session)),
+      m_cutOut(new CutOutPanel(session.document())),
       m_distortion(new DistortionPanel(session)),
       m_cut(new CutPanel),
       m_measure(new MeasurePanel(session)),
-      m_paint(new PaintPanel(session, m_brush)),
+      m_paint(new PaintPanel(session.document(), m_brush)),
       m_layers(new LayerPanel(session, m_brush.layer())),
       m_facts(new FactsPanel(session)),
       m_sizes(new SizePanel(session, m_brush)),
@@ -132,15 +132,15 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(m_pins, tr("Pins"), "pin", {.modes = Mode::Pins});
     put(m_groups, tr("Groups"), "select", {.modes = Mode::Pins});
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
-    put(new FlowPanel(session), tr("Flow"), "curve", {.modes = Mode::Animate});
-    put(new FilmPanel(session), tr("Film"), "frames", {.modes = Mode::Animate});
+    put(new FlowPanel(session.document(), session.playback()), tr("Flow"), "curve", {.modes = Mode::Animate});
+    put(new FilmPanel(session.document()), tr("Film"), "frames", {.modes = Mode::Animate});
     put(new ExportPanel(session, exporter, actions), tr("Export"), "export",
         {.modes = Mode::Export, .fills = true});
     put(m_measure, tr("Measure"), "measure", {.modes = Modes::all(), .flat = false, .tool = "measure"});
     put(m_cut, tr("Cut"), "cut", {.modes = Mode::Mesh, .flat = false});
     put(m_distortion, tr("What changed"), "distortion", {.modes = kShaping});
     m_advanced->add(m_cutOut);
-    m_advanced->add(new BalancePanel(session));
+    m_advanced->add(new BalancePanel(session.document()));
     m_advanced->add(m_distortion->details());
     put(m_advanced, tr("Advanced"), "settings", {.modes = kShaping});
 }

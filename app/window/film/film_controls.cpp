@@ -44,7 +44,8 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
         playback.setSpeed(chosen->data().toDouble());
         a.setSpeed(playback.speed());
     });
-    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_parts.session); });
+    connect(a.settle, &QAction::triggered, this,
+            [this] { settleAtEnd(m_parts.session.document(), m_parts.session.playback()); });
     connect(&playback, &Playback::playingChanged, this, &FilmControls::showPlaying);
     connect(&m_parts.tools, &Toolbox::changed, this, &FilmControls::showTracks);
     connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::showTracks);

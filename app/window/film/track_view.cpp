@@ -36,9 +36,9 @@ std::optional<Ease> easeOf(const PinMotion& motion) {
 TrackView::TrackView(ShapeSession& session, QWidget* parent)
     : QAbstractScrollArea(parent),
       m_session(session),
-      m_scale(new TimeScale(session, this)),
-      m_sound(new SoundTrack(session, this)),
-      m_ruler(new TimeRuler(session, *m_scale, *m_sound, viewport())),
+      m_scale(new TimeScale(session.document(), session.playback(), this)),
+      m_sound(new SoundTrack(session.document(), session.playback(), this)),
+      m_ruler(new TimeRuler(session.document(), session.playback(), *m_scale, *m_sound, viewport())),
       m_poses(new KeyPoseStrip(session, *m_scale, viewport())) {
     setObjectName(QStringLiteral("trackView"));
     setFrameShape(QFrame::NoFrame);
@@ -59,6 +59,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
     connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
     connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
     connect(m_scale, &TimeScale::changed, this, repaint);
+    connect(m_sound, &SoundTrack::notice, &session, &ShapeSession::notice);
     connect(m_ruler, &TimeRuler::rowsChanged, this, [this, repaint] { arrange(), repaint(); });
     takeProject();
 }

@@ -18,7 +18,7 @@
 
 #include "app/base/program_files.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/session/shape_session.h"
+#include "app/project/edits/document.h"
 #include "app/style/theme.h"
 #include "app/window/actions/actions.h"
 #include "app/window/help/shortcuts.h"
@@ -225,8 +225,8 @@ void ManualWindow::find() {
     m_nowhere->show();
 }
 
-SideWindows::SideWindows(ShapeSession& session, const Actions& actions, Toolbox& tools, QMainWindow& window)
-    : QObject(&window), m_session(session), m_tools(tools), m_window(window) {
+SideWindows::SideWindows(Document& document, const Actions& actions, Toolbox& tools, QMainWindow& window)
+    : QObject(&window), m_document(document), m_tools(tools), m_window(window) {
     connect(actions.manual, &QAction::triggered, this, &SideWindows::showManual);
     connect(actions.shortcuts, &QAction::triggered, this, &SideWindows::showKeys);
     connect(actions.chooseKeys, &QAction::triggered, this, &SideWindows::chooseKeys);
@@ -244,7 +244,7 @@ void SideWindows::showManual() {
 }
 
 void SideWindows::showKeys() {
-    CheatSheet(*m_window.menuBar(), m_session.document().dimension(), &m_window).exec();
+    CheatSheet(*m_window.menuBar(), m_document.dimension(), &m_window).exec();
 }
 
 void SideWindows::chooseKeys() {
@@ -258,7 +258,7 @@ void SideWindows::showHistory() {
         history = new QDialog(&m_window, Qt::Tool);
         history->setObjectName(QStringLiteral("history"));
         history->setWindowTitle(tr("History"));
-        auto* steps = new QUndoView(m_session.document().undoStack(), history);
+        auto* steps = new QUndoView(m_document.undoStack(), history);
         steps->setEmptyLabel(tr("As it was opened"));
         steps->setAccessibleName(tr("History"));
         steps->setAccessibleDescription(tr("What was done; a click goes back or forward to that step."));

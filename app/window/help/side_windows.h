@@ -11,7 +11,7 @@ class QTextBrowser;
 namespace wend {
 
 class Actions;
-class ShapeSession;
+class Document;
 class Toolbox;
 
 /// The manual, which is within the program: pages with links, back and forth, and a search over all of them.
@@ -35,7 +35,7 @@ class SideWindows : public QObject {
     Q_OBJECT
 
   public:
-    SideWindows(ShapeSession& session, const Actions& actions, Toolbox& tools, QMainWindow& window);
+    SideWindows(Document& document, const Actions& actions, Toolbox& tools, QMainWindow& window);
 
   private:
     void showManual();
@@ -44,7 +44,7 @@ class SideWindows : public QObject {
     void showHistory();
     void showAbout();
 
-    ShapeSession& m_session;
+    Document& m_document;
     Toolbox& m_tools;
     QMainWindow& m_window;
 };

@@ -328,7 +328,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();
     m_session->playback().setTime(0.3 * end);
-    settleAtEnd(*m_session);
+    settleAtEnd(m_session->document(), m_session->playback());
     QVERIFY(settled());
     QCOMPARE(m_session->document().undoStack()->index(), steps + 1);
     QVERIFY((settlingOf(project()) == std::vector<SettleWindow>{{end, end + 1}}));

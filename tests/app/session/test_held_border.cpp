@@ -159,7 +159,7 @@ void TestHeldBorder::borderIsHeld() {
     open(border);
     QCOMPARE(dragMiddle(), 0);
     changeSetting(m_session->document(), "material.memory", 0);
-    settleAtEnd(*m_session);
+    settleAtEnd(m_session->document(), m_session->playback());
     QVERIFY(settle(*m_session));
     for (const FramePtr& frame : m_session->track().frames()) {
         const Way way = wayOf(*posed<2>(frame));
