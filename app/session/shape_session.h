@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "app/engine/motion/playback.h"
+#include "app/session/pins.h"
 #include "app/session/selection.h"
 #include "app/session/shape_gesture.h"
 #include "app/session/shape_motion.h"
-#include "app/session/shown_pins.h"
 
 namespace wend {
 

@@ -65,7 +65,6 @@
 #include "app/window/notices/shape_notices.h"
 #include "app/window/notices/work_note.h"
 #include "app/window/properties.h"
-#include "app/window/properties_rail.h"
 #include "app/window/solid_workshop.h"
 #include "app/window/status_fields.h"
 #include "app/window/toolbar/rows.h"

@@ -11,7 +11,6 @@
 #include "app/window/compare_view.h"
 #include "app/window/properties.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/tile_pictures.h"
 
 namespace wend {
 

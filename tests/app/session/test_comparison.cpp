@@ -12,7 +12,6 @@
 #include "app/project/options/settings.h"
 #include "app/window/actions/look_choices.h"
 #include "app/window/compare_view.h"
-#include "app/window/tile_pictures.h"
 #include "core/energy/distortion.h"
 #include "tests/support/solid_fixture.h"
 

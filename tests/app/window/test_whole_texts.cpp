@@ -23,7 +23,7 @@
 #include "app/window/help/tutorial.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/work_note.h"
-#include "app/window/properties_rail.h"
+#include "app/window/properties.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 #include "tests/support/whole_texts.h"
