@@ -10,8 +10,8 @@
 
 #include "app/base/preferences.h"
 #include "app/engine/shape/shape.h"
-#include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/session/calm_follower.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "app/base/preferences.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/setting_edits.h"

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "app/panels/fields/ease_names.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/project/design.h"

@@ -8,8 +8,7 @@
 
 #include "app/engine/shape/told_units.h"
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/layer_panel.h"
 #include "app/project/domain.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/stiffness_fields.h"
 

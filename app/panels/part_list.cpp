@@ -11,7 +11,7 @@
 
 #include "app/engine/shape/mesh_parts.h"
 #include "app/engine/shape/shape.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/part_items.h"

@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/project/edits/handle_edits.h"

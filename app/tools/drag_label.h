@@ -4,7 +4,7 @@
 #include <QPainter>
 
 #include "app/session/shape_session.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

@@ -11,7 +11,7 @@
 #include "app/project/edits/part_edits.h"
 #include "app/session/part_making.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/in_steps.h"
 #include "core/base/error.h"

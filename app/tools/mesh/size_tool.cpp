@@ -4,7 +4,7 @@
 
 #include "app/project/domain.h"
 #include "app/project/edits/size_edits.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

@@ -5,7 +5,7 @@
 
 #include "app/project/edits/bezier_edits.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/pins/pin_picking.h"
 #include "app/tools/tool_kinds.h"

@@ -7,7 +7,7 @@
 
 #include "app/session/pins/pin_shapes.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/gizmos.h"
 

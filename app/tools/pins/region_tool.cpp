@@ -3,7 +3,7 @@
 
 #include "app/engine/motion/pose_places.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/pins/held_part.h"
 #include "app/tools/region_outline.h"
 #include "app/tools/tool_kinds.h"

@@ -9,7 +9,6 @@
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/session/shape_session.h"
-#include "app/style/mark_size.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/pins/pin_picking.h"

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "app/engine/motion/pose_places.h"
-#include "app/style/mark_size.h"
 #include "app/style/marks.h"
 #include "core/mesh/decompositions.h"
 

@@ -4,7 +4,7 @@
 #include <QApplication>
 
 #include "app/base/preferences.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/shape_view.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"

@@ -14,7 +14,6 @@
 #include "app/engine/shape/flat_shape.h"
 #include "app/project/domain.h"
 #include "app/project/edits/document.h"
-#include "app/project/edits/drawing_size.h"
 #include "app/project/edits/scaled_project.h"
 #include "app/project/file/named_files.h"
 #include "app/project/project.h"

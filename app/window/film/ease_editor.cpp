@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "app/panels/fields/ease_names.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/style/theme.h"
 #include "app/window/film/track_view.h"

@@ -6,7 +6,7 @@
 #include <QUndoStack>
 
 #include "app/engine/motion/playback.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/film_panel.h"
 #include "app/project/project.h"

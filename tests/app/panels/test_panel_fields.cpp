@@ -23,8 +23,7 @@
 #include <QWindow>
 
 #include "app/panels/cut_panel.h"
-#include "app/panels/fields/magnitude_box.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/film_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/film_edits.h"

@@ -11,8 +11,7 @@
 #include <QTreeWidget>
 #include <numbers>
 
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/handle_panel.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/film_time.h"

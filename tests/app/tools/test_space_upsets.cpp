@@ -2,7 +2,7 @@
 #include <QListWidget>
 #include <QSignalSpy>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"

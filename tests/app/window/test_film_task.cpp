@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/run_options.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/flow_panel.h"
 #include "app/project/edits/film_edits.h"

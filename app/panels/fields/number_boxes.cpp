@@ -1,5 +1,6 @@
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 
+#include <QSignalBlocker>
 #include <cmath>
 
 namespace wend {
@@ -9,6 +10,40 @@ namespace {
 constexpr int kPlaces = 40;  // behind the point, so that nothing small is rounded away
 
 }  // namespace
+
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    QLocale ungrouped = locale();
+    ungrouped.setNumberOptions(QLocale::OmitGroupSeparator);
+    setLocale(ungrouped);
+}
+
+QValidator::State NumberBox::validate(QString& text, int& at) const {
+    takeEitherPoint(text);
+    return QDoubleSpinBox::validate(text, at);
+}
+
+void NumberBox::takeEitherPoint(QString& text) const {
+    const QString point = locale().decimalPoint();
+    text.replace(QLatin1Char('.'), point).replace(QLatin1Char(','), point);
+}
+
+void ExactBox::put(double number) {
+    if (number == m_exact && value() == m_shown) return;
+    const QSignalBlocker quiet(this);
+    setValue(number);
+    m_exact = number;
+    m_shown = value();
+}
+
+void ExactBox::showDigits(int digits) {
+    if (digits == decimals()) return;
+    const QSignalBlocker quiet(this);
+    const double number = exact();
+    setDecimals(digits);
+    setValue(number);
+    m_exact = number;
+    m_shown = value();
+}
 
 MagnitudeBox::MagnitudeBox(QWidget* parent) : ExactBox(parent) {
     setDecimals(kPlaces);
