@@ -260,7 +260,7 @@ void HandlePanel::apply() {
     Amount amount(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value());
     if (kind == 1) amount = {amount[0] / kDegrees, 0, 0};
     if (kind == 2) amount = {amount[0] - 1, 0, 0};
-    m_session.moveSelected(grip, amount);
+    m_session.gestures().moveAtOnce(grip, amount);
 }
 
 void HandlePanel::showHandle() {

@@ -67,15 +67,17 @@ Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent)
     connect(&m_session.document(), &Document::projectChanged, this, &Comparison::take);
     connect(&m_session.playback(), &Playback::timeChanged, &m_other.playback(), &Playback::setTime);
     connect(&m_session.selection(), &Selection::changed, this, &Comparison::takeSelection);
-    connect(&m_session, &ShapeSession::dragBegan, this, [this] {
+    const ShapeGesture* gestures = &m_session.gestures();
+    ShapeGesture& others = m_other.gestures();
+    connect(gestures, &ShapeGesture::began, this, [this, gestures, &others] {
         if (!m_on) return;
-        m_other.selection().set(m_session.gesture()->handles());
-        m_other.beginDrag(m_session.gesture()->grip());
+        m_other.selection().set(gestures->drag()->handles());
+        others.begin(gestures->drag()->grip());
     });
-    connect(&m_session, &ShapeSession::dragMoved, &m_other,
-            [this](const Amount& amount) { m_other.dragBy(amount); });
-    connect(&m_session, &ShapeSession::dragEnded, &m_other, &ShapeSession::letGo);
-    connect(&m_session, &ShapeSession::dragCancelled, &m_other, &ShapeSession::cancelDrag);
+    connect(gestures, &ShapeGesture::moved, &others,
+            [&others](const Amount& amount) { others.moveBy(amount); });
+    connect(gestures, &ShapeGesture::ended, &others, &ShapeGesture::letGo);
+    connect(gestures, &ShapeGesture::cancelled, &others, &ShapeGesture::cancel);
 }
 
 void Comparison::begin(std::optional<double> phi) {

@@ -185,7 +185,7 @@ void PenTool::release(const QMouseEvent& event) {
 void PenTool::finish() {
     const auto joints = std::exchange(m_joints, {});
     m_pressed = false;
-    if (joints.size() > 1) session().followCurve(bezierThrough(joints));
+    if (joints.size() > 1) session().gestures().followCurve(bezierThrough(joints));
 }
 
 void PenTool::removeLast() {

@@ -216,7 +216,7 @@ void PinTool::beginDrag(const Part& part) {
     m_part = part;
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
+    session().gestures().begin(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     m_gesture = Gesture::Drag;
     if (!session().isDragging()) finishDrag();
 }
@@ -225,7 +225,7 @@ void PinTool::drag(bool snaps) {
     const bool isFree = m_gizmo->part().kind == Grip::Kind::Move && m_gizmo->part().axis < 0;
     m_amount = m_gizmo->drag(view(), reached(snaps && isFree), snaps);
     if (!m_typed.isEmpty()) m_amount = m_gizmo->typed(m_typed.value(), view());
-    session().dragBy(m_amount, m_seconds);
+    session().gestures().moveBy(m_amount, m_seconds);
 }
 
 /// Restarts the gesture from its beginning along another axis.
@@ -235,8 +235,8 @@ void PinTool::lock(int axis) {
     part.plane = false;
     m_gizmo->begin(part, view(), m_from);
     m_part = part;
-    session().cancelDrag();  // drops the path so far
-    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
+    session().gestures().cancel();  // drops the path so far
+    session().gestures().begin(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     drag();
 }
 
@@ -245,11 +245,11 @@ void PinTool::finishDrag() {
     m_part.reset();
     const double pixel = view().pixelSize(m_gizmo->centre());
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
-        session().endDragStraight();
+        session().gestures().endStraight();
     else if (m_gizmo->part().kind == Grip::Kind::Move)
-        session().endDrag(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
+        session().gestures().end(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
     else
-        session().endDrag(kTurnDetail);
+        session().gestures().end(kTurnDetail);
     if (std::exchange(m_sets, false)) session().document().endStep();
 }
 
@@ -344,7 +344,7 @@ bool PinTool::nudge(const QKeyEvent& event) {
     m_cross.hide();
     placeGizmo();
     const auto by = arrowOf(event);
-    if (by) session().nudgeSelected(nudgeOf(view(), m_gizmo->centre(), *by));
+    if (by) session().gestures().nudge(nudgeOf(view(), m_gizmo->centre(), *by));
     return by.has_value();
 }
 
@@ -382,7 +382,7 @@ void PinTool::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     m_part.reset();
     m_typed.clear();
-    if (gesture == Gesture::Drag) session().cancelDrag();
+    if (gesture == Gesture::Drag) session().gestures().cancel();
     if (std::exchange(m_sets, false)) session().document().dropStep();
     m_curve.cancel();
 }

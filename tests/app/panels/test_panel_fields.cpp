@@ -257,7 +257,7 @@ void TestPanelFields::eitherPointCanBeTyped() {
 
 void TestPanelFields::longNumbersWidenNoPanel() {
     QVERIFY(m_f->open() && m_f->holdEnds());
-    m_f->session().moveSelected(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
+    m_f->session().gestures().moveAtOnce(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<HandlePanel*>();
     auto* place = panel->findChild<QLabel*>(QStringLiteral("pinPlace"));

@@ -167,13 +167,13 @@ void TestPartList::dragged() {
     session.addPin({20, 70, 0});
     session.addPin({150, 40, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
+    session.gestures().begin();
     for (int k = 1; k <= 5; ++k) {
-        session.dragBy({-6.0 * k, 8.0 * k, 0});
+        session.gestures().moveBy({-6.0 * k, 8.0 * k, 0});
         QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
         QVERIFY(gap() < 1e-9);
     }
-    session.endDrag(0.2);
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     QVERIFY(gap() < 1e-9);
     QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
@@ -368,9 +368,9 @@ void TestPartList::orderChangesFromHere() {
     session.addPin({20, 70, 0});
     session.addPin({150, 40, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({2, 2, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({2, 2, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     list().setCurrentRow(2);
     session.playback().setTime(0.5);
@@ -584,15 +584,15 @@ void TestPartList::dragsWaitForParts() {
     QVERIFY(session.isMeshing());
     session.selection().set({session.addPin({80, 50, 0})});
     notices.clear();
-    session.beginDrag();
+    session.gestures().begin();
     QVERIFY(!session.isDragging());
     QCOMPARE(notices.count(), 1);
     QVERIFY(notices[0][0].toString().contains("still being made"));
     QVERIFY(settle(session));
     for (const auto& problem : problems) QCOMPARE(problem[0].toString(), QString());
-    session.beginDrag();
+    session.gestures().begin();
     QVERIFY(session.isDragging());
-    session.cancelDrag();
+    session.gestures().cancel();
 }
 
 /// A part that is made before the shape knows the new name of another one is cut from that; one that is made
@@ -723,9 +723,9 @@ void TestPartList::whatStaysBehindMayRide() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({5, 4, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({5, 4, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     auto* banner = m_f->window().findChild<InfoBanner*>();
     QTRY_VERIFY(banner->text().contains("ride on “board”"));
@@ -756,9 +756,9 @@ void TestPartList::islandsMayRide() {
     ShapeSession& session = m_f->session();
     session.addPin({35, 30, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({0, 7, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({0, 7, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     const std::vector<StrayPart> strays = strayParts(session);
     QCOMPARE(strays.size(), std::size_t{1});

@@ -278,7 +278,7 @@ void TestFilm::othersAreSeenGoingOn() {
     QTest::mouseMove(&canvas(), from);
     QTest::mousePress(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
     for (int i = 1; i <= 3; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
-    QVERIFY(session().gesture() && session().gesture()->records());
+    QVERIFY(session().gestures().drag() && session().gestures().drag()->records());
     const double whole = dimension == 2 ? 20 : 0.5;
     QVERIFY(QTest::qWaitFor([&] { return other() > begin + 0.5 * whole; }, 20000));
     QVERIFY(session().playback().time() >= 0.5);

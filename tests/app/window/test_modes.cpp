@@ -499,11 +499,11 @@ void TestModes::backslashShowsTheShapeBefore() {
     const QImage before = seen();
     if (solid) {
         QVERIFY(m_f->holdEnds());
-        session.moveSelected(Grip{}, {0, 0, 0.8});
+        session.gestures().moveAtOnce(Grip{}, {0, 0, 0.8});
     } else {
         for (const double x : {40, 200}) session.addPin({x, 80, 0});
         session.selection().set({1});
-        session.moveSelected(Grip{}, {0, 25, 0});
+        session.gestures().moveAtOnce(Grip{}, {0, 25, 0});
     }
     QVERIFY(settle(session));
     const QImage bent = seen();

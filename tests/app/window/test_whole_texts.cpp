@@ -179,9 +179,9 @@ void TestWholeTexts::bend() {
     session.addPin({40, 80, 0});
     session.addPin({200, 80, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({0, 20, 0});
-    session.endDrag(0.5);
+    session.gestures().begin();
+    session.gestures().moveBy({0, 20, 0});
+    session.gestures().end(0.5);
     QVERIFY(settle(session));
 }
 
