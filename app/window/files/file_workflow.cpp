@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QCoreApplication>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -18,6 +19,7 @@
 #include "app/project/edits/handle_edits.h"
 #include "app/project/project_fwd.h"
 #include "app/session/opening.h"
+#include "app/views/canvas/canvas.h"
 #include "app/window/export/save_dialog.h"
 #include "app/window/files/project_watch.h"
 #include "core/base/error.h"
@@ -81,6 +83,8 @@ constexpr int kMostRemembered = 10;
 QString words(const std::exception& error) {
     return said(error);
 }
+
+constexpr int kBusyDelay = 150;  // milliseconds
 
 }  // namespace
 
@@ -439,6 +443,58 @@ void FileWorkflow::fillSamples(QMenu& menu) {
     for (const QString& path : samplePaths())
         menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
     menu.setEnabled(!menu.isEmpty());
+}
+
+/// The file is opened in the same turn of the event loop, so the note stays visible in between.
+OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over)
+    : QLabel(&over), m_canvas(canvas) {
+    setObjectName(QStringLiteral("busyNote"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAlignment(Qt::AlignCenter);
+    setMargin(14);
+    setTextFormat(Qt::PlainText);
+    hide();
+    over.installEventFilter(this);
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(kBusyDelay);
+    connect(&m_delay, &QTimer::timeout, this, [this] {
+        place();
+        show();
+        raise();
+    });
+    connect(&files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
+        m_reads = !name.isEmpty();
+        if (m_reads) m_name = name;
+    });
+    connect(&files, &FileWorkflow::openingChanged, this, &OpeningNote::refresh, Qt::QueuedConnection);
+    connect(&m_canvas, &ShapeCanvas::prepared, this, &OpeningNote::refresh);
+}
+
+void OpeningNote::showText(const QString& text) {
+    setText(text);
+    setAccessibleName(text);
+    if (text.isEmpty()) {
+        m_delay.stop();
+        hide();
+    } else if (isHidden() && !m_delay.isActive()) {
+        m_delay.start();
+    }
+    place();
+    raise();  // over a page that came
+}
+
+void OpeningNote::place() {
+    resize(sizeHint().boundedTo(parentWidget()->size()));
+    move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
+}
+
+bool OpeningNote::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) place();
+    return QLabel::eventFilter(watched, event);
+}
+
+void OpeningNote::refresh() {
+    showText(m_reads || m_canvas.isPreparing() ? tr("Opening %1 …").arg(m_name) : QString());
 }
 
 }  // namespace wend

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <QLabel>
 #include <QMap>
 #include <QObject>
+#include <QString>
+#include <QTimer>
 #include <functional>
 
 #include "app/base/latest.h"
@@ -15,6 +18,7 @@ namespace wend {
 
 class ProjectWatch;
 struct Reading;
+class ShapeCanvas;
 
 /// Opening, saving and closing with all their questions: files are read in the background, changes are never
 /// lost unasked.
@@ -86,6 +90,29 @@ class FileWorkflow : public QObject {
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     std::function<bool()> m_isPractice;
     Latest m_opening{this};
+};
+
+/// Names the file that is being opened, in the middle of a widget, if that takes more than a moment, until
+/// its picture is visible; later work is shown by WorkNote.
+class OpeningNote : public QLabel {
+    Q_OBJECT
+
+  public:
+    OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void refresh();
+    /// An empty text takes it away.
+    void showText(const QString& text);
+    void place();
+
+    ShapeCanvas& m_canvas;
+    bool m_reads = false;
+    QString m_name;
+    QTimer m_delay;
 };
 
 }  // namespace wend
