@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "app/base/in_background.h"
-#include "app/base/said.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/surface_panel.h"
 #include "app/project/domain.h"
@@ -136,6 +135,8 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     });
     connect(&session.document(), &Document::opened, this, [this] {
         hide();
+        m_checking.drop();
+        m_reading.drop();
         preview();
     });
     connect(&session, &ShapeSession::frameChanged, this, &SurfaceCheck::takeShape);
@@ -170,45 +171,32 @@ void SurfaceCheck::preview() {
     const Document& document = m_session.document();
     if (document.dimension() != 3 || document.domain().kind != DomainKind::Surface) return;
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    const int generation = document.generation();
-    const auto read = [path]() -> std::shared_ptr<const Skin> {
-        try {
-            return std::make_shared<const Skin>(readSkin(path));
-        } catch (const std::exception&) {
-            return {};
-        }
-    };
-    inBackground(this, read, [this, generation](const std::shared_ptr<const Skin>& skin) {
-        if (skin && m_canvas && m_session.document().generation() == generation) m_canvas->showPreview(skin);
+    using SkinPtr = std::shared_ptr<const Skin>;
+    const auto read = [path]() -> SkinPtr { return std::make_shared<const Skin>(readSkin(path)); };
+    m_reading.ask(read, [this](const Answer<SkinPtr>& skin) {
+        if (skin.value && m_canvas) m_canvas->showPreview(skin.value);
     });
 }
 
 void SurfaceCheck::look() {
     const Document& document = m_session.document();
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    const int generation = document.generation();
+    using FoundPtr = std::shared_ptr<const Found>;
     const int largestHole = document.domain().largestHole;
-    const auto check = [path, largestHole,
-                        fixes = document.domain().fixes]() -> std::shared_ptr<const Found> {
+    const auto check = [path, largestHole, fixes = document.domain().fixes]() -> FoundPtr {
         auto found = std::make_shared<Found>();
-        try {
-            const auto file = sharedMeshFile(path);
-            found->source = {pointsOf(*file), trianglesOf(*file), {}};
-            found->fixes = possible(found->source, fixes);
-            FixedSurface fixed = fixSurface(found->source, found->fixes);
-            found->surface = std::move(fixed.surface);
-            found->numbers = std::move(fixed.numbers);
-            found->problems = checkSurface(found->surface);
-            found->faults = faultsOf(found->surface, found->problems);
-            found->repaired = std::make_shared<const Repaired>(found->surface, largestHole);
-        } catch (const std::exception& error) {
-            found->error = said(error);
-        }
+        const auto file = sharedMeshFile(path);
+        found->source = {pointsOf(*file), trianglesOf(*file), {}};
+        found->fixes = possible(found->source, fixes);
+        FixedSurface fixed = fixSurface(found->source, found->fixes);
+        found->surface = std::move(fixed.surface);
+        found->numbers = std::move(fixed.numbers);
+        found->problems = checkSurface(found->surface);
+        found->faults = faultsOf(found->surface, found->problems);
+        found->repaired = std::make_shared<const Repaired>(found->surface, largestHole);
         return found;
     };
-    inBackground(this, check, [this, generation](const std::shared_ptr<const Found>& found) {
-        if (m_session.document().generation() == generation) take(found);
-    });
+    m_checking.ask(check, [this](const Answer<FoundPtr>& found) { take(found.value); });
 }
 
 /// A cage that was chosen since something is wrong is no reason not to look at it.
@@ -237,7 +225,7 @@ void SurfaceCheck::keepPlace() {
 
 /// Unreadable files are reported by the banner alone.
 void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
-    if (!found->error.isEmpty() || found->problems.boundsVolume()) return;
+    if (!found || found->problems.boundsVolume()) return;
     m_found = found;
     m_repaired = found->repaired;
     SurfacePanel::Contents contents;
