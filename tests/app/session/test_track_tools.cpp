@@ -1,6 +1,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPointer>
 #include <QProcess>
 #include <QScopeGuard>
 #include <QSettings>
@@ -276,8 +277,9 @@ void TestTrackTools::posesMakeRoomForRows() {
     tracks().setMinimumHeight(240);
     QTRY_VERIFY(poses().isVisible());
     QCOMPARE(tracks().ruler().y(), int(KeyPoseStrip::kHeight));
-    for (QMenu* old : m_window->window().findChildren<QMenu*>())
-        if (old->testAttribute(Qt::WA_DeleteOnClose)) delete old;
+    const auto menus = m_window->window().findChildren<QMenu*>();
+    for (const QPointer<QMenu>& old : QList<QPointer<QMenu>>(menus.begin(), menus.end()))
+        if (old && old->testAttribute(Qt::WA_DeleteOnClose)) delete old;  // and its submenus
     QContextMenuEvent event(QContextMenuEvent::Mouse, {200, 5}, tracks().ruler().mapToGlobal(QPoint(200, 5)));
     QCoreApplication::sendEvent(&tracks().ruler(), &event);
     for (QAction* action : tracks().ruler().findChild<QMenu*>()->actions())
