@@ -206,6 +206,10 @@ void framesAreMinima() {
     QCOMPARE(other.advance(1).outcome, Outcome::Done);
     QVERIFY(other.state().points == deformer.state().points);  // frames do not change the steps
     QCOMPARE(frames.size(), 3U);
+    // Where they are guessed is so near that few factors lead there.
+    const int forFrames = deformer.statistics().factorizations - other.statistics().factorizations;
+    qInfo("%d factors for 3 frames, %d for the steps", forFrames, other.statistics().factorizations);
+    QVERIFY(forFrames <= 12);
     for (const State<2>& frame : frames) {
         Deformer<2> till(bend.mesh, elastic, bend.handles, {});
         QCOMPARE(till.advance(frame.time).outcome, Outcome::Done);
