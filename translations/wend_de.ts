@@ -1047,12 +1047,12 @@
         <translation>ein QOI-Bild</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>Ebenen eines TIFFs haben keine Deckkraft, Sichtbarkeit und keinen Füllmodus: Die von %1 fehlen</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>kann nicht geschrieben werden: Eine Photoshop-Datei hat höchstens 2 GB, diese Ebenen haben mehr</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>Ebenen eines TIFFs brauchen eigene Namen: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>kann nicht geschrieben werden: Eine Photoshop-Datei hat höchstens 30000 Pixel je Seite</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBones-Skelett</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Ebenen (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Ebenen (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4512,10 +4512,6 @@
     <message>
         <source>Writing the film …</source>
         <translation>Der Film wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>Der Name eines TIFFs mit Ebenen endet auf %1.</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>una imagen QOI</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>las capas de un TIFF no tienen opacidad, visibilidad ni modo de fusión: se omiten los de %1</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>no se puede escribir: un archivo de Photoshop tiene como máximo 2 GB, y estas capas tienen más</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>las capas de un TIFF necesitan nombres propios: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>no se puede escribir: un archivo de Photoshop tiene como máximo 30000 píxeles por lado</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>Esqueleto de DragonBones</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Capas (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Capas (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4512,10 +4512,6 @@
     <message>
         <source>Writing the film …</source>
         <translation>Escribiendo la película…</translation>
-    </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>El nombre de un TIFF con capas termina en %1.</translation>
     </message>
 </context>
 <context>

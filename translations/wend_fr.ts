@@ -1047,12 +1047,12 @@
         <translation>une image QOI</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>les calques d’un TIFF n’ont ni opacité, ni visibilité, ni mode de fusion : ceux de %1 sont omis</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>ne peut pas être écrit&#x202f;: un fichier Photoshop a au plus 2 Go, et ces calques en ont davantage</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>les calques d’un TIFF doivent avoir chacun leur nom : %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>ne peut pas être écrit&#x202f;: un fichier Photoshop a au plus 30000 pixels de côté</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>Squelette DragonBones</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Calques (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Calques (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4512,10 +4512,6 @@
     <message>
         <source>Writing the film …</source>
         <translation>Écriture du film…</translation>
-    </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>Le nom d’un TIFF avec calques se termine par %1.</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>QOI 画像</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>TIFF のレイヤーには不透明度、表示、描画モードがありません: %1 のものは省かれます</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>に書き込めません: Photoshop ファイルは最大 2 GB ですが、これらのレイヤーはそれより大きくなります</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>TIFF のレイヤーには固有の名前が必要です: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>に書き込めません: Photoshop ファイルの一辺は最大 30000 ピクセルです</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBonesスケルトン</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>レイヤー (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>レイヤー (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4504,10 +4504,6 @@
     <message>
         <source>Writing the film …</source>
         <translation>フィルムを書き出しています…</translation>
-    </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>レイヤー付き TIFF の名前は %1 で終わります。</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>QOI 图片</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>TIFF 的图层没有不透明度、可见性和混合模式：已省略 %1 的这些属性</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>无法写入：Photoshop 文件最大为 2 GB，而这些图层更大</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>TIFF 的图层需要各不相同的名称：%1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>无法写入：Photoshop 文件每边最多 30000 像素</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBones 骨架</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>图层 (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>图层 (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4504,10 +4504,6 @@
     <message>
         <source>Writing the film …</source>
         <translation>正在写入影片…</translation>
-    </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>带图层的 TIFF 的文件名以 %1 结尾。</translation>
     </message>
 </context>
 <context>

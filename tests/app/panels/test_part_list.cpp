@@ -280,10 +280,10 @@ void TestPartList::picturesOpenTogether() {
     frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
     QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
     const QList<ExportFormat> formats = exportFormats(ExportKind::Picture, frame);
-    QCOMPARE(formats.last().extension, QString(".layers.tif"));
-    const QString pages = m_folder.filePath("out.layers.tif");
-    frame.write(ExportKind::Picture, pages.toStdString(), {}, {}, remark);
-    QCOMPARE(readLayer(pages.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
+    QCOMPARE(formats.last().extension, QString(".psd"));
+    const QString layers = m_folder.filePath("out.psd");
+    frame.write(ExportKind::Picture, layers.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(layers.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
     const QString project = m_folder.filePath("p.wend");
     QVERIFY(QFile::copy(front, project));
     m_f->window().files().openAll(QStringList{front, project});
