@@ -4831,6 +4831,10 @@
         <comment>a file, and what is wrong with it</comment>
         <translation>„%1“ %2.</translation>
     </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Bilder mit Ebenen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -7870,10 +7874,6 @@
         <translation>Ein Bild, ein ebenes Netz oder ein Projekt auswählen.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP – am besten freigestellt mit Transparenz. Auch Projekte, Netze und Körper.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Ein Beispiel ausprobieren</translation>
     </message>
@@ -7904,6 +7904,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Vergisst diese Änderungen endgültig.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP … – am besten freigestellt mit Transparenz.
+PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</translation>
     </message>
 </context>
 <context>

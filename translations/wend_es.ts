@@ -4831,6 +4831,10 @@
         <comment>a file, and what is wrong with it</comment>
         <translation>«%1» %2.</translation>
     </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Imágenes con capas (%1)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -7870,10 +7874,6 @@
         <translation>Elegir una imagen, una malla plana o un proyecto.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP: mejor recortadas y con transparencia. También proyectos, mallas y sólidos.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Pruebe un ejemplo</translation>
     </message>
@@ -7904,6 +7904,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Olvida estos cambios para siempre.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP…: mejor recortadas y con transparencia.
+PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</translation>
     </message>
 </context>
 <context>

@@ -4831,6 +4831,10 @@
         <comment>a file, and what is wrong with it</comment>
         <translation>« %1 » %2.</translation>
     </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Images avec calques (%1)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -7870,10 +7874,6 @@
         <translation>Choisir une image, un maillage plan ou un projet.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP — de préférence détourés, avec transparence. Projets, maillages et solides aussi.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Essayer un exemple</translation>
     </message>
@@ -7904,6 +7904,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Oublie ces modifications définitivement.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP… — de préférence détourés, avec transparence.
+PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</translation>
     </message>
 </context>
 <context>

@@ -4823,6 +4823,10 @@
         <comment>a file, and what is wrong with it</comment>
         <translation>「%1」%2。</translation>
     </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>レイヤーのある画像 (%1)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -7853,10 +7857,6 @@
         <translation>画像、平面メッシュ、またはプロジェクトを選択します。</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG、TIFF、EXR、JPEG、WebP に対応。透明部分のある切り抜き画像が最適です。プロジェクト、メッシュ、ソリッドも開けます。</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>サンプルを試す</translation>
     </message>
@@ -7887,6 +7887,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>この変更を完全に破棄します。</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG、JPEG、TIFF、EXR、WebP などに対応。透明部分のある切り抜き画像が最適です。
+PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、メッシュ、ソリッドも開けます。</translation>
     </message>
 </context>
 <context>

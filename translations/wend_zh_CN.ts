@@ -4823,6 +4823,10 @@
         <comment>a file, and what is wrong with it</comment>
         <translation>“%1”%2。</translation>
     </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>带图层的图片 (%1)</translation>
+    </message>
 </context>
 <context>
     <name>wend::FilmControls</name>
@@ -7853,10 +7857,6 @@
         <translation>选择图片、平面网格或项目。</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>支持 PNG、TIFF、EXR、JPEG、WebP，带透明背景的抠图效果最好。也可打开项目、网格和实体。</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>试试示例</translation>
     </message>
@@ -7887,6 +7887,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>永久丢弃这些更改。</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>支持 PNG、JPEG、TIFF、EXR、WebP 等，带透明背景的抠图效果最好。
+PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格和实体。</translation>
     </message>
 </context>
 <context>
