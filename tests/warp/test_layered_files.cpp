@@ -49,6 +49,7 @@ class TestLayeredFiles : public QObject {
     void pagesAreFlattened();
     void groupsAreLayers();
     void drawingsAreComposited();
+    void usedLayersAreComposited();
     void drawingsAreClippedByBoxes();
     void clipsAreNotDrawn();
     void damagedDrawings();
@@ -360,6 +361,36 @@ void TestLayeredFiles::drawingsAreComposited() {
     QVERIFY(isAt(44 + 6, 16 + 6, {0, 0, 0, 0}));
     QVERIFY(isAt(66, 20, {255, 255, 0, 255}) && isAt(76, 20, {255, 255, 0, 128}));
     QVERIFY(isAt(84, 20, {0, 0, 0, 0}));
+}
+
+/// Clips, masks and opacities of what uses refer to, also by way of other uses; what refers to itself ends.
+void TestLayeredFiles::usedLayersAreComposited() {
+    const std::string path = written("used.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32"><defs>
+<clipPath id="disc"><circle cx="10" cy="16" r="8"/></clipPath>
+<g id="cut"><rect clip-path="url(#disc)" width="24" height="32"/></g>
+<g id="twice"><use href="#cut"/><use xlink:href="#cut" x="24"/></g>
+<g id="self"><g opacity=".5"><rect width="2" height="2"/><use href="#self"/></g></g></defs>
+<use href="#cut" x="2" fill="#f00"/>
+<use href="#twice" transform="translate(32 0)" style="fill:#00f"/>
+<use href="#cut" x="90" opacity=".5"/><use href="#self" x="120"/></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto isAt = [&](double x, double y, const std::array<int, 4>& colour) {
+        for (int c = 0; c < 4; ++c) {
+            const int seen = sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), c);
+            if ((c == 3 || colour[3] > 0) && std::abs(seen - colour[static_cast<std::size_t>(c)]) > 3)
+                return false;
+        }
+        return true;
+    };
+    for (const auto& [x, blue] : {std::pair{12.0, 0}, {42.0, 255}, {66.0, 255}}) {
+        QVERIFY2(isAt(x, 16, {255 - blue, 0, blue, 255}), qPrintable(QString::number(x)));
+        QVERIFY(isAt(x - 7, 16, {255 - blue, 0, blue, 255}) && isAt(x + 7, 16, {255 - blue, 0, blue, 255}));
+        QVERIFY(isAt(x - 9, 16, {0, 0, 0, 0}) && isAt(x + 9, 16, {0, 0, 0, 0}) && isAt(x, 4, {0, 0, 0, 0}));
+    }
+    QVERIFY(isAt(100, 16, {0, 0, 0, 128}) && isAt(100, 4, {0, 0, 0, 0}));
+    QVERIFY(!isAt(121, 1, {0, 0, 0, 0}));
 }
 
 /// Clip paths and masks that measure in the box around a group, a use or a text; what is used may have been

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <new>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "warp/svg/svg_paints.h"
@@ -75,8 +78,12 @@ bool mayOverlap(const pugi::xml_node& node) {
     return valueOf(styleOf(node, {}), "stroke", "none") != "none";
 }
 
+pugi::xml_node firstLayer(const pugi::xml_node& parent);
+
+/// Returns whether an element is composited. With an opacity, also what has such elements in it: that would
+/// be drawn both with them and with what clips them.
 bool isLayer(const pugi::xml_node& node) {
-    return clipOf(node) || maskOf(node) || (opacityOf(node) < 1 && mayOverlap(node));
+    return clipOf(node) || maskOf(node) || (opacityOf(node) < 1 && (mayOverlap(node) || firstLayer(node)));
 }
 
 /// Finds the first element that is composited, in the order of the drawing.
@@ -99,6 +106,59 @@ Ids usedIn(const pugi::xml_document& document) {
         return false;
     });
     return used;
+}
+
+void removeIds(pugi::xml_node node) {
+    node.remove_attribute("id");
+    for (const pugi::xml_node& child : node.children()) removeIds(child);
+}
+
+/// Replaces a use by a group with a copy of what it refers to.
+void replaceUse(pugi::xml_node use, const pugi::xml_node& target) {
+    pugi::xml_node group = use.parent().insert_child_before("g", use);
+    const auto place = [&](const char* name) {
+        const std::string value = use.attribute(name).value();
+        return value.empty() ? std::string("0") : value;
+    };
+    const std::string transform =
+        std::string(use.attribute("transform").value()) + " translate(" + place("x") + ' ' + place("y") + ')';
+    for (const pugi::xml_attribute& attribute : use.attributes()) group.append_copy(attribute);
+    for (const char* name : {"x", "y", "width", "height", "href", "xlink:href", "transform"})
+        group.remove_attribute(name);
+    group.append_attribute("transform") = transform.c_str();
+    removeIds(group.append_copy(target));
+    use.parent().remove_child(use);
+}
+
+/// Replaces uses of what has layers in it, also of other such uses: only elements of the drawing itself are
+/// composited. Symbols stay, which have a view of their own.
+void replaceUsesOfLayers(pugi::xml_document& document) {
+    std::map<std::string, pugi::xml_node, std::less<>> byId;
+    document.find_node([&](const pugi::xml_node& node) {
+        if (const pugi::xml_attribute id = node.attribute("id")) byId.emplace(id.value(), node);
+        return false;
+    });
+    int left = kMostLayers;
+    for (bool isDone = false; !isDone;) {
+        std::vector<std::pair<pugi::xml_node, pugi::xml_node>> uses;
+        document.find_node([&](const pugi::xml_node& node) {
+            const auto found =
+                std::string_view(node.name()) == "use" ? byId.find(SvgElements::hrefOf(node)) : byId.end();
+            if (found == byId.end()) return false;
+            const pugi::xml_node target = found->second;
+            pugi::xml_node around = node;
+            while (around && around != target) around = around.parent();
+            if (!around && isDrawn(target) && std::string_view(target.name()) != "svg" &&
+                (isLayer(target) || firstLayer(target)))
+                uses.emplace_back(node, target);
+            return false;
+        });
+        isDone = uses.empty();
+        for (const auto& [use, target] : uses) {
+            if (left-- == 0) return;
+            replaceUse(use, target);
+        }
+    }
 }
 
 /// Moves an element to definitions, where it is not drawn, but may be used.
@@ -283,6 +343,7 @@ QImage paintedSvg(const pugi::xml_document& drawing, const QRectF& viewBox, cons
     pugi::xml_document document;
     document.reset(drawing);
     resolveStyleSheets(document);
+    replaceUsesOfLayers(document);
     const bool isPlain = !firstLayer(document.document_element());
     if (isPlain) document.reset(drawing);  // Qt's library reads style sheets itself
     retireClips(document.document_element());
