@@ -249,18 +249,58 @@ void replaceByContent(const pugi::xml_document& drawing, const pugi::xml_node& n
     retire(node, used);
 }
 
+using Rgba = std::array<uchar, 4>;
+
+/// A picture of a part of the drawing, with its first pixel at a place of it.
+struct PaintedArea {
+    QImage image;
+    QRect area;
+
+    /// Returns the pixels of a row of the drawing from a column of it on.
+    Rgba* pixels(int x, int y) {
+        return reinterpret_cast<Rgba*>(image.scanLine(y - area.y())) + (x - area.x());
+    }
+    const Rgba* pixels(int x, int y) const {
+        return reinterpret_cast<const Rgba*>(image.constScanLine(y - area.y())) + (x - area.x());
+    }
+};
+
+/// Returns the box of the pixels that are not transparent.
+QRect visibleIn(const PaintedArea& painted) {
+    const QRect& area = painted.area;
+    int left = area.right() + 1, right = area.left() - 1, top = area.bottom() + 1, bottom = area.top() - 1;
+    const auto isVisible = [](const Rgba& pixel) { return pixel[3] > 0; };
+    for (int y = area.top(); y <= area.bottom(); ++y) {
+        const Rgba *begin = painted.pixels(area.left(), y), *end = begin + area.width();
+        const Rgba* first = std::find_if(begin, end, isVisible);
+        if (first == end) continue;
+        const Rgba* last = end - 1;
+        while (!isVisible(*last)) --last;
+        left = std::min(left, area.left() + static_cast<int>(first - begin));
+        right = std::max(right, area.left() + static_cast<int>(last - begin));
+        top = std::min(top, y), bottom = y;
+    }
+    return {QPoint(left, top), QPoint(right, bottom)};
+}
+
 /// Draws documents, which it changes.
 class SvgPainter {
   public:
     SvgPainter(const QRectF& viewBox, const QSize& size, Ids used)
         : m_viewBox(viewBox), m_size(size), m_used(std::move(used)) {}
 
-    QImage painted(pugi::xml_document& document, int depth = 0) {
-        QImage image(m_size, QImage::Format_RGBA8888_Premultiplied);
-        if (image.isNull()) throw std::bad_alloc();
-        image.fill(Qt::transparent);
-        QPainter painter(&image);
+    QImage painted(pugi::xml_document& document) {
+        return painted(document, QRect(QPoint(), m_size), 0).image;
+    }
+
+  private:
+    PaintedArea painted(pugi::xml_document& document, const QRect& area, int depth) {
+        PaintedArea result{QImage(area.size(), QImage::Format_RGBA8888_Premultiplied), area};
+        if (result.image.isNull()) throw std::bad_alloc();
+        result.image.fill(Qt::transparent);
+        QPainter painter(&result.image);
         painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+        painter.translate(-area.topLeft());
         while (depth < kDeepest && m_layers < kMostLayers) {
             pugi::xml_node layer = firstLayer(document.document_element());
             if (!layer) break;
@@ -272,15 +312,15 @@ class SvgPainter {
             removeSide(marked, Side::After, m_used);
             retire(marked, m_used);
             plain(before, painter);
-            painter.drawImage(0, 0, layerOf(document, depth));
+            const PaintedArea own = layerOf(document, area, depth);
+            painter.drawImage(own.area.topLeft(), own.image);
             removeSide(layer, Side::Before, m_used);
             retire(layer, m_used);
         }
         plain(document, painter);
-        return image;
+        return result;
     }
 
-  private:
     void plain(const pugi::xml_document& document, QPainter& painter) const {
         if (!drawsAny(document.document_element())) return;
         const std::string text = textOf(document);
@@ -288,47 +328,52 @@ class SvgPainter {
         renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
     }
 
-    /// Draws the marked element of a document as one picture.
-    QImage layerOf(const pugi::xml_document& document, int depth) {
+    /// Draws the marked element of a document as one picture, where it is seen of an area.
+    PaintedArea layerOf(const pugi::xml_document& document, QRect area, int depth) {
         pugi::xml_document own;
         own.reset(document);
         pugi::xml_node node = markedIn(own);
         const double opacity = opacityOf(node);
-        const bool isClipped(clipOf(node)), isMasked(maskOf(node));
+        PaintedArea clip, mask;
+        for (const bool clips : {true, false}) {
+            if (!(clips ? clipOf(node) : maskOf(node))) continue;
+            PaintedArea& content = clips ? clip : mask;
+            content = contentOf(document, clips, area, depth);
+            area = visibleIn(content);
+            if (area.isEmpty()) return {};
+        }
         node.remove_attribute(kMark);
         for (const char* name : {"opacity", "clip-path", "mask"}) removeProperty(node, name);
         for (const Side side : {Side::Before, Side::After}) removeSide(node, side, m_used);
-        QImage image = painted(own, depth + 1);
-        QImage clip = isClipped ? contentOf(document, true, depth) : QImage(),
-               mask = isMasked ? contentOf(document, false, depth) : QImage();
+        PaintedArea layer = painted(own, area, depth + 1);
         const bool byAlpha = valueOf(styleOf(maskOf(markedIn(document)), {}), "mask-type") == "alpha";
-        for (int y = 0; y < image.height(); ++y) {
-            using Pixel = std::array<uchar, 4>;
-            auto* row = reinterpret_cast<Pixel*>(image.scanLine(y));
-            const auto* by = isClipped ? reinterpret_cast<const Pixel*>(clip.constScanLine(y)) : nullptr;
-            const auto* through = isMasked ? reinterpret_cast<const Pixel*>(mask.constScanLine(y)) : nullptr;
-            for (int x = 0; x < image.width(); ++x) {
+        for (int y = area.top(); y <= area.bottom(); ++y) {
+            Rgba* row = layer.pixels(area.left(), y);
+            const Rgba* by = clip.image.isNull() ? nullptr : clip.pixels(area.left(), y);
+            const Rgba* through = mask.image.isNull() ? nullptr : mask.pixels(area.left(), y);
+            for (int x = 0; x < area.width(); ++x) {
                 double factor = opacity;
                 if (by) factor *= by[x][3] / 255.0;
                 if (through) factor *= (byAlpha ? through[x][3] : lightnessOf(through[x])) / 255.0;
+                if (factor == 1) continue;
                 for (uchar& number : row[x]) number = static_cast<uchar>(number * factor + 0.5);
             }
         }
-        return image;
+        return layer;
     }
 
     /// Returns the luminance of a premultiplied pixel.
-    static double lightnessOf(const std::array<uchar, 4>& pixel) {
+    static double lightnessOf(const Rgba& pixel) {
         return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
     }
 
     /// Draws what clips or masks the marked element.
-    QImage contentOf(const pugi::xml_document& document, bool clips, int depth) {
+    PaintedArea contentOf(const pugi::xml_document& document, bool clips, const QRect& area, int depth) {
         pugi::xml_document own;
         own.reset(document);
         const pugi::xml_node node = markedIn(own);
         replaceByContent(own, node, clips ? clipOf(node) : maskOf(node), clips, m_viewBox, m_used);
-        return painted(own, depth + 1);
+        return painted(own, area, depth + 1);
     }
 
     QRectF m_viewBox;
