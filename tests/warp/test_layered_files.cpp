@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/base/error.h"
@@ -49,6 +51,7 @@ class TestLayeredFiles : public QObject {
     void pagesAreFlattened();
     void groupsAreLayers();
     void drawingsAreComposited();
+    void blursAreDrawn();
     void usedLayersAreComposited();
     void drawingsAreClippedByBoxes();
     void clipsAreNotDrawn();
@@ -391,6 +394,38 @@ void TestLayeredFiles::usedLayersAreComposited() {
     }
     QVERIFY(isAt(100, 16, {0, 0, 0, 128}) && isAt(100, 4, {0, 0, 0, 0}));
     QVERIFY(!isAt(121, 1, {0, 0, 0, 0}));
+}
+
+/// A blur is a Gaussian across an edge, with the scale of its element; it is clipped afterwards, and masks
+/// may be blurred. Filters that do more than that are left out.
+void TestLayeredFiles::blursAreDrawn() {
+    const std::string path = written("blurred.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     width="256" height="64" viewBox="0 0 256 64"><defs>
+<filter id="soft"><feGaussianBlur in="SourceGraphic" stdDeviation="4"/></filter>
+<filter id="endless"><feGaussianBlur stdDeviation="1e200"/></filter>
+<filter id="across"><feGaussianBlur stdDeviation="4 0"/></filter>
+<filter id="shadow"><feOffset dx="9"/><feGaussianBlur stdDeviation="4"/></filter>
+<clipPath id="right"><rect x="48" width="48" height="64"/></clipPath>
+<mask id="mask"><rect x="112" y="-40" width="28" height="200" fill="#fff" filter="url(#soft)"/></mask></defs>
+<g transform="scale(.5)"><rect x="-200" y="-200" width="240" height="600" filter="url(#soft)"/></g>
+<g clip-path="url(#right)"><rect x="40" width="24" height="64" style="filter:url(#across)"/></g>
+<rect x="100" width="40" height="64" mask="url(#mask)"/>
+<rect x="200" y="16" width="24" height="24" filter="url(#shadow)"/>
+<rect x="240" width="9" height="9" filter="url(#endless)" transform="scale(1e200)"/></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 256;
+    const auto isNear = [&](double x, double y, double alpha) {
+        return std::abs(sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), 3) -
+                        255 * alpha) < 7;
+    };
+    const auto upTo = [](double deviations) { return std::erfc(deviations / std::numbers::sqrt2) / 2; };
+    for (const double by : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+        QVERIFY2(isNear(20 + 2 * by, 32, upTo(by)), qPrintable(QString::number(by)));
+        QVERIFY2(isNear(64 + 4 * by, 32, upTo(by)), qPrintable(QString::number(by)));
+        QVERIFY2(isNear(112 + 4 * by, 32, upTo(-by)), qPrintable(QString::number(by)));
+    }
+    QVERIFY(isNear(47, 32, 0) && isNear(49, 1, 1));
+    QVERIFY(isNear(201, 30, 1) && isNear(199, 30, 0) && isNear(223, 30, 1) && isNear(225, 30, 0));
 }
 
 /// Clip paths and masks that measure in the box around a group, a use or a text; what is used may have been

@@ -4,10 +4,12 @@
 #include <QSvgRenderer>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,9 +17,11 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "warp/svg/svg_blur.h"
 #include "warp/svg/svg_paints.h"
 #include "warp/svg/svg_style.h"
 #include "warp/svg/vector_maker.h"
+#include "warp/svg_path.h"
 
 namespace wend {
 namespace {
@@ -62,6 +66,40 @@ pugi::xml_node maskOf(const pugi::xml_node& node) {
     return referred(node, valueOf(styleOf(node, {}), "mask"), "mask");
 }
 
+/// Standard deviations across columns and rows, in the user units of an element.
+struct Deviations {
+    double x = 0, y = 0;
+};
+
+/// Returns by how much an element's filter blurs it; nothing if it does anything else.
+std::optional<Deviations> blurOf(const pugi::xml_node& node) {
+    const pugi::xml_node filter = referred(node, valueOf(styleOf(node, {}), "filter"), "filter");
+    if (!filter || isOfBox(filter, "primitiveUnits")) return std::nullopt;
+    Deviations sum;
+    std::string before = "SourceGraphic";
+    for (const pugi::xml_node& step : filter.children()) {
+        if (step.type() != pugi::node_element) continue;
+        const std::string in = step.attribute("in").value();
+        if (std::string_view(step.name()) != "feGaussianBlur" || !(in.empty() || in == before))
+            return std::nullopt;
+        before = step.attribute("result").value();
+        NumberScanner numbers(step.attribute("stdDeviation").value());
+        Deviations own;
+        if (!numbers.number(own.x) || own.x < 0) return std::nullopt;
+        if (!numbers.number(own.y)) own.y = own.x;
+        sum = {std::hypot(sum.x, own.x), std::hypot(sum.y, own.y)};
+    }
+    return sum.x > 0 || sum.y > 0 ? std::optional(sum) : std::nullopt;
+}
+
+/// Returns the mean scale of an element's user units, in those of the drawing.
+double scaleOf(pugi::xml_node node) {
+    double scale = 1;
+    for (; node; node = node.parent())
+        if (Affine map; readTransform(node.attribute("transform").value(), map)) scale *= map.scale();
+    return scale;
+}
+
 double opacityOf(const pugi::xml_node& node) {
     const std::string value = valueOf(styleOf(node, {}), "opacity", "1");
     const double number = std::strtod(value.c_str(), nullptr);
@@ -83,7 +121,8 @@ pugi::xml_node firstLayer(const pugi::xml_node& parent);
 /// Returns whether an element is composited. With an opacity, also what has such elements in it: that would
 /// be drawn both with them and with what clips them.
 bool isLayer(const pugi::xml_node& node) {
-    return clipOf(node) || maskOf(node) || (opacityOf(node) < 1 && (mayOverlap(node) || firstLayer(node)));
+    return clipOf(node) || maskOf(node) || blurOf(node) ||
+           (opacityOf(node) < 1 && (mayOverlap(node) || firstLayer(node)));
 }
 
 /// Finds the first element that is composited, in the order of the drawing.
@@ -328,6 +367,28 @@ class SvgPainter {
         renderer.render(&painter, QRectF(QPointF(), QSizeF(m_size)));
     }
 
+    /// Returns a box around what a document draws in an area, seen from afar and without its clips and masks.
+    QRect drawnIn(const pugi::xml_document& document, const QRect& area) const {
+        constexpr int kCoarse = 8;
+        if (document.find_node([](const pugi::xml_node& node) { return isDrawn(node) && blurOf(node); }))
+            return area;
+        PaintedArea coarse{QImage(area.size() / kCoarse + QSize(2, 2), QImage::Format_RGBA8888_Premultiplied),
+                           {}};
+        if (coarse.image.isNull()) throw std::bad_alloc();
+        coarse.area = coarse.image.rect();
+        coarse.image.fill(Qt::transparent);
+        QPainter painter(&coarse.image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(1.0 / kCoarse, 1.0 / kCoarse);
+        painter.translate(-area.topLeft());
+        plain(document, painter);
+        painter.end();
+        const QRect seen = visibleIn(coarse);
+        if (seen.isEmpty()) return {};
+        const QRect box(kCoarse * (seen.topLeft() - QPoint(1, 1)), kCoarse * (seen.size() + QSize(2, 2)));
+        return box.translated(area.topLeft()) & area;
+    }
+
     /// Draws the marked element of a document as one picture, where it is seen of an area.
     PaintedArea layerOf(const pugi::xml_document& document, QRect area, int depth) {
         pugi::xml_document own;
@@ -343,9 +404,15 @@ class SvgPainter {
             if (area.isEmpty()) return {};
         }
         node.remove_attribute(kMark);
-        for (const char* name : {"opacity", "clip-path", "mask"}) removeProperty(node, name);
+        const Deviations blur = blurInPixels(node);
+        const bool isBlurred = blur.x > 0 || blur.y > 0;
+        for (const char* name : {"opacity", "clip-path", "mask", "filter"}) removeProperty(node, name);
         for (const Side side : {Side::Before, Side::After}) removeSide(node, side, m_used);
-        PaintedArea layer = painted(own, area, depth + 1);
+        const int left = isBlurred ? reachOfBlur(blur.x) : 0, top = isBlurred ? reachOfBlur(blur.y) : 0;
+        if (clip.image.isNull() && mask.image.isNull())
+            area &= drawnIn(own, area.adjusted(-left, -top, left, top)).adjusted(-left, -top, left, top);
+        if (area.isEmpty()) return {};
+        PaintedArea layer = isBlurred ? blurred(own, blur, area, depth) : painted(own, area, depth + 1);
         const bool byAlpha = valueOf(styleOf(maskOf(markedIn(document)), {}), "mask-type") == "alpha";
         for (int y = area.top(); y <= area.bottom(); ++y) {
             Rgba* row = layer.pixels(area.left(), y);
@@ -360,6 +427,22 @@ class SvgPainter {
             }
         }
         return layer;
+    }
+
+    /// Returns by how much an element is blurred, at most by the size of the picture.
+    Deviations blurInPixels(const pugi::xml_node& node) const {
+        const Deviations by = blurOf(node).value_or(Deviations());
+        const double scale = scaleOf(node) * m_size.width() / m_viewBox.width();
+        return {std::fmin(scale * by.x, m_size.width()), std::fmin(scale * by.y, m_size.height())};
+    }
+
+    /// Draws a document blurred, also by what is beside the area.
+    PaintedArea blurred(pugi::xml_document& document, const Deviations& by, const QRect& area, int depth) {
+        const int x = std::min(m_size.width() / 2, reachOfBlur(by.x)),
+                  y = std::min(m_size.height() / 2, reachOfBlur(by.y));
+        PaintedArea whole = painted(document, area.adjusted(-x, -y, x, y), depth + 1);
+        blur(whole.image, by.y, by.x);
+        return {whole.image.copy(x, y, area.width(), area.height()), area};
     }
 
     /// Returns the luminance of a premultiplied pixel.
