@@ -373,10 +373,11 @@ void TestLayeredFiles::usedLayersAreComposited() {
 <clipPath id="disc"><circle cx="10" cy="16" r="8"/></clipPath>
 <g id="cut"><rect clip-path="url(#disc)" width="24" height="32"/></g>
 <g id="twice"><use href="#cut"/><use xlink:href="#cut" x="24"/></g>
+<use id="drawn" href="#cut" y="99"/><g id="a" opacity=".5"><use href="#b"/></g><g id="b"><use href="#a"/></g>
 <g id="self"><g opacity=".5"><rect width="2" height="2"/><use href="#self"/></g></g></defs>
 <use href="#cut" x="2" fill="#f00"/>
 <use href="#twice" transform="translate(32 0)" style="fill:#00f"/>
-<use href="#cut" x="90" opacity=".5"/><use href="#self" x="120"/></svg>)svg");
+<use href="#cut" x="90" opacity=".5"/><use href="#self" x="120"/><use href="#b"/><use href="#drawn" x="110" y="-99"/></svg>)svg");
     const Image image = readImage(path);
     const int scale = image.width / 128;
     const auto isAt = [&](double x, double y, const std::array<int, 4>& colour) {
@@ -393,7 +394,14 @@ void TestLayeredFiles::usedLayersAreComposited() {
         QVERIFY(isAt(x - 9, 16, {0, 0, 0, 0}) && isAt(x + 9, 16, {0, 0, 0, 0}) && isAt(x, 4, {0, 0, 0, 0}));
     }
     QVERIFY(isAt(100, 16, {0, 0, 0, 128}) && isAt(100, 4, {0, 0, 0, 0}));
-    QVERIFY(!isAt(121, 1, {0, 0, 0, 0}));
+    QVERIFY(!isAt(121, 1, {0, 0, 0, 0}) && isAt(120, 16, {0, 0, 0, 255}) && isAt(120, 4, {0, 0, 0, 0}));
+    std::string doubled = R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><defs>
+        <g id="g0" opacity=".5"><rect width="9" height="9"/><rect width="5" height="5"/></g>)";
+    for (int k = 1; k < 40; ++k) {
+        const std::string used = "<use href=\"#g" + std::to_string(k - 1) + "\"/>";
+        doubled += "<g id=\"g" + std::to_string(k) + "\">" + used + used + "</g>";
+    }
+    QVERIFY(readImage(written("doubled.svg", (doubled + R"(</defs><use href="#g3"/></svg>)").c_str())).alpha);
 }
 
 /// A blur is a Gaussian across an edge, with the scale of its element; it is clipped afterwards, and masks

@@ -26,8 +26,9 @@
 namespace wend {
 namespace {
 
-constexpr int kMostLayers = 200;  // composited of one drawing: each is drawn in full size
-constexpr int kDeepest = 12;      // layers within layers
+constexpr int kMostLayers = 200;    // composited of one drawing: each is drawn in full size
+constexpr int kMostCopied = 20000;  // nodes of what uses with layers refer to, which may use one another
+constexpr int kDeepest = 12;        // layers within layers
 constexpr const char* kMark = "data-wend-layer";
 constexpr const char* kRetired = "data-wend-retired";
 
@@ -152,50 +153,75 @@ void removeIds(pugi::xml_node node) {
     for (const pugi::xml_node& child : node.children()) removeIds(child);
 }
 
-/// Replaces a use by a group with a copy of what it refers to.
-void replaceUse(pugi::xml_node use, const pugi::xml_node& target) {
-    pugi::xml_node group = use.parent().insert_child_before("g", use);
+/// Makes a use a group with a copy of what it refers to. The element stays: it may be referred to itself.
+void makeGroup(pugi::xml_node use, const pugi::xml_node& target) {
     const auto place = [&](const char* name) {
         const std::string value = use.attribute(name).value();
         return value.empty() ? std::string("0") : value;
     };
     const std::string transform =
         std::string(use.attribute("transform").value()) + " translate(" + place("x") + ' ' + place("y") + ')';
-    for (const pugi::xml_attribute& attribute : use.attributes()) group.append_copy(attribute);
     for (const char* name : {"x", "y", "width", "height", "href", "xlink:href", "transform"})
-        group.remove_attribute(name);
-    group.append_attribute("transform") = transform.c_str();
-    removeIds(group.append_copy(target));
-    use.parent().remove_child(use);
+        use.remove_attribute(name);
+    use.set_name("g");
+    use.append_attribute("transform") = transform.c_str();
+    removeIds(use.append_copy(target));
 }
 
-/// Replaces uses of what has layers in it, also of other such uses: only elements of the drawing itself are
-/// composited. Symbols stay, which have a view of their own.
+using NodesById = std::map<std::string, pugi::xml_node, std::less<>>;
+
+bool isWithin(pugi::xml_node node, const pugi::xml_node& around) {
+    while (node && node != around) node = node.parent();
+    return bool(node);
+}
+
+/// Calls `take` with the uses in a node, or itself, and what they refer to.
+void forUsesIn(const pugi::xml_node& root, const NodesById& byId,
+               const std::function<void(const pugi::xml_node& use, const pugi::xml_node& target)>& take) {
+    const auto look = [&](const pugi::xml_node& node) {
+        if (std::string_view(node.name()) != "use") return false;
+        if (const auto found = byId.find(SvgElements::hrefOf(node)); found != byId.end())
+            take(node, found->second);
+        return false;
+    };
+    look(root);
+    root.find_node(look);
+}
+
+/// Returns whether an element is in what uses in it refer to.
+bool usesItself(const pugi::xml_node& element, const NodesById& byId) {
+    std::vector<pugi::xml_node> seen{element};
+    bool isFound = false;
+    for (std::size_t k = 0; k < seen.size() && !isFound; ++k)
+        forUsesIn(pugi::xml_node(seen[k]), byId, [&](const pugi::xml_node&, const pugi::xml_node& target) {
+            isFound = isFound || isWithin(element, target);
+            if (std::ranges::find(seen, target) == seen.end()) seen.push_back(target);
+        });
+    return isFound;
+}
+
+/// Makes groups of uses of what has layers in it, also of other such uses: only elements of the drawing
+/// itself are composited. Symbols stay, which have a view of their own.
 void replaceUsesOfLayers(pugi::xml_document& document) {
-    std::map<std::string, pugi::xml_node, std::less<>> byId;
+    NodesById byId;
     document.find_node([&](const pugi::xml_node& node) {
         if (const pugi::xml_attribute id = node.attribute("id")) byId.emplace(id.value(), node);
         return false;
     });
-    int left = kMostLayers;
+    int left = kMostCopied;
     for (bool isDone = false; !isDone;) {
         std::vector<std::pair<pugi::xml_node, pugi::xml_node>> uses;
-        document.find_node([&](const pugi::xml_node& node) {
-            const auto found =
-                std::string_view(node.name()) == "use" ? byId.find(SvgElements::hrefOf(node)) : byId.end();
-            if (found == byId.end()) return false;
-            const pugi::xml_node target = found->second;
-            pugi::xml_node around = node;
-            while (around && around != target) around = around.parent();
-            if (!around && isDrawn(target) && std::string_view(target.name()) != "svg" &&
-                (isLayer(target) || firstLayer(target)))
-                uses.emplace_back(node, target);
-            return false;
+        forUsesIn(document, byId, [&](const pugi::xml_node& use, const pugi::xml_node& target) {
+            if (isDrawn(target) && std::string_view(target.name()) != "svg" &&
+                (isLayer(target) || firstLayer(target)) && !isWithin(use, target) &&
+                !usesItself(target, byId))
+                uses.emplace_back(use, target);
         });
         isDone = uses.empty();
         for (const auto& [use, target] : uses) {
-            if (left-- == 0) return;
-            replaceUse(use, target);
+            target.find_node([&left](const pugi::xml_node&) { return left-- == 0; });
+            if (left < 0) return;
+            makeGroup(use, target);
         }
     }
 }
