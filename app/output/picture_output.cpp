@@ -101,8 +101,8 @@ void PictureOutput::write(double time, const Points<2>& pose) {
         const double done = static_cast<double>(k);
         m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
             if (isSvgFile(file)) return writeSvg(file, time, pixels, view);
-            if (isLayeredFile(outputs.image[k]) || getsPartChannels(file, m_shape))
-                return writeParts(outputs.image[k], file, time, pixels, view);
+            if (isLayeredFile(file) || getsPartChannels(file, m_shape))
+                return writeParts(file, time, pixels, view);
             writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
         });
     }
@@ -195,14 +195,13 @@ Extent<2> PictureOutput::extent(const Points<2>& pixels) const {
     return extentOf<2>(pixels, restInPixels(m_shape).cells);
 }
 
-void PictureOutput::writeParts(const std::string& path, const std::string& file, double time,
-                               const Points<2>& pixels, const View& view) {
+void PictureOutput::writeParts(const std::string& file, double time, const Points<2>& pixels,
+                               const View& view) {
     const WarpOptions options = warpOptions(time, {});
     const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
     const auto layers = warpedLayers(m_shape, pixels, levels, view, options);
     const Image merged = warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options);
-    const Message lost = writeLayers(file, layers, merged, m_options.depth);
-    if (!lost.isEmpty() && m_watch.notice) m_watch.notice(path + ": " + lost);
+    writeLayers(file, layers, merged, m_options.depth);
 }
 
 void PictureOutput::writeSvg(const std::string& file, double time, const Points<2>& pixels,

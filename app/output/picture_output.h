@@ -99,8 +99,7 @@ class PictureOutput {
                          const std::function<void(double)>& progress);
     std::function<void(double)> warping(double from, double to) const;
     Extent<2> extent(const Points<2>& pixels) const;
-    void writeParts(const std::string& path, const std::string& file, double time, const Points<2>& pixels,
-                    const View& view);
+    void writeParts(const std::string& file, double time, const Points<2>& pixels, const View& view);
     void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view);
     void writePicture(const std::string& file, const WarpedPicture& picture) const;
     void writeFrame(int number, double time, const Points<2>& pixels, const View& view,

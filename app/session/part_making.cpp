@@ -1,5 +1,6 @@
 #include "app/session/part_making.h"
 
+#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "app/session/shape_session.h"
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/boundary_loops.h"
+#include "core/mesh/cell_geometry.h"
 #include "core/meshing/outline_combination.h"
 
 namespace wend {
@@ -177,29 +180,88 @@ double areaOf(const SimplicialMesh<2>& rest, const MeshPart& part) {
     return area;
 }
 
-/// Parts whose cells are all stray, each with the nearest one that is held. A larger one is a ground, which
-/// is to stay.
-std::vector<StrayPart> strayOf(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& rest,
-                               HeldPieces& pieces) {
-    std::vector<const MeshPart*> stray, held;
-    for (const MeshPart& part : rest.parts) {
-        bool isHeld = false;
-        for (int c = part.firstCell; c < part.endCell && !isHeld; ++c) isHeld = pieces.isHeld(c);
-        (isHeld ? held : stray).push_back(&part);
-    }
-    std::vector<StrayPart> found;
-    const auto placeOf = [&](const std::string& name) {
-        return static_cast<int>(std::ranges::find(parts, name, &PicturePart::name) - parts.begin());
-    };
-    for (const MeshPart* part : stray) {
-        const auto nearest = std::ranges::min_element(
-            held, {}, [&](const MeshPart* other) { return distanceBetween(rest, *part, *other); });
-        if (nearest != held.end() && areaOf(rest, *part) < areaOf(rest, **nearest) &&
-            mayRide(parts, placeOf(part->name), placeOf((*nearest)->name)))
-            found.push_back({part->name, (*nearest)->name});
-    }
-    return found;
+bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec<2>& p) {
+    const auto cells = std::span(rest.cells)
+                           .subspan(static_cast<std::size_t>(part.firstCell),
+                                    static_cast<std::size_t>(part.endCell - part.firstCell));
+    return std::ranges::any_of(
+        cells, [&](const Cell<2>& cell) { return barycentric<2>(rest.points, cell, p).minCoeff() >= 0; });
 }
+
+/// Returns whether at least half of a part lies on another one.
+bool liesOn(const SimplicialMesh<2>& rest, const MeshPart& part, const MeshPart& other) {
+    const auto points = rest.points.middleCols(other.firstVertex, other.endVertex - other.firstVertex);
+    const Eigen::AlignedBox2d box(Vec<2>(points.rowwise().minCoeff()), Vec<2>(points.rowwise().maxCoeff()));
+    const int step = std::max(1, (part.endVertex - part.firstVertex) / kTried);
+    int tried = 0, inside = 0;
+    for (int v = part.firstVertex; v < part.endVertex; v += step, ++tried) {
+        const Vec<2> p = rest.points.col(v);
+        inside += box.contains(p) && isIn(rest, other, p);
+    }
+    return 2 * inside >= tried;
+}
+
+/// Finds parts whose cells are all stray, each with what it could ride on.
+class StrayFinder {
+  public:
+    StrayFinder(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& rest, HeldPieces& pieces)
+        : m_parts(parts), m_rest(rest) {
+        for (const MeshPart& part : rest.parts) {
+            bool isHeld = false;
+            for (int c = part.firstCell; c < part.endCell && !isHeld; ++c) isHeld = pieces.isHeld(c);
+            (isHeld ? m_held : m_stray).push_back(&part);
+        }
+    }
+
+    /// What lies on a stray part stays with it.
+    std::vector<StrayPart> find() {
+        if (m_held.empty()) return {};
+        std::vector<std::pair<const MeshPart*, const MeshPart*>> lying;
+        for (const MeshPart* part : m_stray) {
+            const MeshPart* nearest = *std::ranges::min_element(
+                m_held, {}, [&](const MeshPart* other) { return distanceBetween(m_rest, *part, *other); });
+            const MeshPart* carrier = carrierOf(*part, *nearest);
+            if (carrier)
+                lying.emplace_back(part, carrier);
+            else if (areaOf(m_rest, *part) < areaOf(m_rest, *nearest))  // a larger one is a ground
+                add(*part, *nearest);
+        }
+        for (std::size_t count = m_found.size() + 1; count != m_found.size();) {
+            count = m_found.size();
+            for (const auto& [part, carrier] : lying)
+                if (isFound(*carrier) && !isFound(*part)) add(*part, *carrier);
+        }
+        return std::move(m_found);
+    }
+
+  private:
+    /// Returns the smallest stray part that a part lies on, and the held one beside it does not: that would
+    /// be the ground of both.
+    const MeshPart* carrierOf(const MeshPart& part, const MeshPart& held) const {
+        const MeshPart* smallest = nullptr;
+        for (const MeshPart* other : m_stray) {
+            const double area = areaOf(m_rest, *other);
+            if (area > areaOf(m_rest, part) && (!smallest || area < areaOf(m_rest, *smallest)) &&
+                liesOn(m_rest, part, *other) && !liesOn(m_rest, held, *other))
+                smallest = other;
+        }
+        return smallest;
+    }
+    bool isFound(const MeshPart& part) const {
+        return std::ranges::find(m_found, part.name, &StrayPart::name) != m_found.end();
+    }
+    void add(const MeshPart& part, const MeshPart& host) {
+        if (mayRide(m_parts, placeOf(part), placeOf(host))) m_found.push_back({part.name, host.name});
+    }
+    int placeOf(const MeshPart& part) const {
+        return static_cast<int>(std::ranges::find(m_parts, part.name, &PicturePart::name) - m_parts.begin());
+    }
+
+    const std::vector<PicturePart>& m_parts;
+    const SimplicialMesh<2>& m_rest;
+    std::vector<const MeshPart*> m_stray, m_held;
+    std::vector<StrayPart> m_found;
+};
 
 /// Islands of a picture without parts.
 std::vector<StrayPart> islandsOf(const SimplicialMesh<2>& rest, HeldPieces& pieces) {
@@ -242,7 +304,7 @@ std::vector<StrayPart> strayParts(const ShapeSession& session) {
     HeldPieces pieces(session, *frame->rest);
     if (!pieces.isAnyHeld()) return {};
     const std::vector<PicturePart>& parts = document.domain().parts;
-    return parts.empty() ? islandsOf(*frame->rest, pieces) : strayOf(parts, *frame->rest, pieces);
+    return parts.empty() ? islandsOf(*frame->rest, pieces) : StrayFinder(parts, *frame->rest, pieces).find();
 }
 
 std::shared_ptr<const Project> withRiders(const Project& project, const std::vector<StrayPart>& strays) {

@@ -379,10 +379,9 @@ constexpr std::array kOptions{
            "how velocities are solved for: by factors, or by iterations with multigrid, whose memory grows "
            "with the number of vertices only; auto: by size and the machine's memory",
            Field{AT(integration.solver), nullptr, Makes::Motion}, Row{.undo = Options::tr("Change solver")}},
-    Option{
-        "", "--image", Output, "", kAny, "", "", "run",
-        "write the warped picture (png, tif, exr, jpg, webp …); ora, layers.tif, exr: every part as a layer, "
-        "too"},
+    Option{"", "--image", Output, "", kAny, "", "", "run",
+           "write the warped picture (png, tif, exr, jpg, webp …); ora, psd, exr: every part as a layer, "
+           "too"},
     Option{
         "", "--mesh", Output, "", kAny, "", "", "run",
         "write the deformed mesh ({surfaces}, glb; {volumes}); for a solid, those before the semicolon get "

@@ -167,7 +167,7 @@ bool ExportForm::takes(const std::string& flag) const {
     if (flag == "--width") return false;  // it follows from the scale
     if (flag == "--webp") return extension() == QStringLiteral(".webp");
     if (isLayeredFile(file) && flag == "--outside") return false;
-    if (flag == "--depth" && !canWriteImage(file)) return false;
+    if (flag == "--depth" && !canWriteImage(file) && !holdsType(file, PixelType::UInt8)) return false;
     if (isSvgFile(file) && (flag == "--depth" || flag == "--outside" || flag == "--filter")) return false;
     if (flag == "--depth" && isFilm()) return false;
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")

@@ -143,10 +143,12 @@ FileWorkflow::FileWorkflow(Document& document, QWidget& window)
 
 void FileWorkflow::askOpen() {
     const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
-    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
-                            tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
-                            tr("Projects (*.wend)") + QStringLiteral(";;") +
-                            tr("Meshes (%1)").arg(meshExtensions());
+    const QString filters =
+        tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
+        tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
+        tr("Pictures with layers (%1)").arg(QStringLiteral("*.psd *.psb *.ora *.kra *.svg")) +
+        QStringLiteral(";;") + tr("Projects (*.wend)") + QStringLiteral(";;") +
+        tr("Meshes (%1)").arg(meshExtensions());
     openAll(QFileDialog::getOpenFileNames(&m_window, tr("Open"), preferences::folder.value(), filters));
 }
 

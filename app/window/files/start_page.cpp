@@ -322,8 +322,8 @@ QWidget* StartPage::makeDropArea() {
     open->setDefault(true);
     describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
     setFocusProxy(open);  // the keyboard begins with it
-    auto* kinds = secondLabel(tr("PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. "
-                                 "Projects, meshes and solids too."),
+    auto* kinds = secondLabel(tr("PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.\n"
+                                 "PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too."),
                               m_drop);
     kinds->setAlignment(Qt::AlignCenter);
     column->addStretch(1);

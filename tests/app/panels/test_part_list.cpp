@@ -61,6 +61,8 @@ class TestPartList : public QObject {
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
+    void whatLiesOnAStrayPartStaysWithIt_data();
+    void whatLiesOnAStrayPartStaysWithIt();
     void islandsMayRide();
 
   private:
@@ -279,10 +281,10 @@ void TestPartList::picturesOpenTogether() {
     frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
     QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
     const QList<ExportFormat> formats = exportFormats(ExportKind::Picture, frame);
-    QCOMPARE(formats.last().extension, QString(".layers.tif"));
-    const QString pages = m_folder.filePath("out.layers.tif");
-    frame.write(ExportKind::Picture, pages.toStdString(), {}, {}, remark);
-    QCOMPARE(readLayer(pages.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
+    QCOMPARE(formats.last().extension, QString(".psd"));
+    const QString layers = m_folder.filePath("out.psd");
+    frame.write(ExportKind::Picture, layers.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(layers.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
     const QString project = m_folder.filePath("p.wend");
     QVERIFY(QFile::copy(front, project));
     m_f->window().files().openAll(QStringList{front, project});
@@ -738,6 +740,36 @@ void TestPartList::whatStaysBehindMayRide() {
     QCOMPARE(parts()[1].ridesOn, std::string("board"));
     QVERIFY(settle(session));
     QVERIFY(!banner->text().contains("ride on"));
+}
+
+void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
+    QTest::addColumn<int>("headSize");
+    QTest::addColumn<QStringList>("expected");
+    QTest::newRow("larger than the arm") << 90 << QStringList{"ball on arm"};
+    QTest::newRow("smaller") << 60 << QStringList{"ball on arm", "head on arm", "eye on head"};
+}
+
+/// An eye on a head without a pin is not for the arm beside it; it follows the head if that follows the arm.
+void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
+    QFETCH(int, headSize);
+    QFETCH(QStringList, expected);
+    const auto layer = [](const char* name, int width, int height, int x, int y) {
+        return LayerToWrite{name, plainPicture(width, height, {90, 90, 90, 255}), x, y};
+    };
+    const QString path = m_folder.filePath("head.ora");
+    writeOpenRaster(
+        path.toStdString(),
+        {layer("eye", 20, 20, 30, 30), layer("head", headSize, headSize, 20, 20),
+         layer("ball", 24, 24, 300, 150), layer("arm", 160, 40, 120, 20), layer("ground", 400, 200, 0, 0)},
+        plainPicture(400, 200, {9, 9, 9, 255}));
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    session.addPin({200, 40, 0});
+    QVERIFY(settle(session));
+    QStringList found;
+    for (const StrayPart& one : strayParts(session))
+        found << QString::fromStdString(one.name + " on " + one.host);
+    QCOMPARE(found, expected);
 }
 
 /// Two blobs of one picture: the one without a pin becomes a part that follows the other one's map, which is
