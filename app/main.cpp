@@ -3,7 +3,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/terminal.h"
-#include "app/window/run_window.h"
+#include "app/window/main_window.h"
 #include "core/base/simd_target.h"
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"

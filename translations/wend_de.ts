@@ -1047,12 +1047,12 @@
         <translation>ein QOI-Bild</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>Ebenen eines TIFFs haben keine Deckkraft, Sichtbarkeit und keinen Füllmodus: Die von %1 fehlen</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>kann nicht geschrieben werden: Eine Photoshop-Datei hat höchstens 2 GB, diese Ebenen haben mehr</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>Ebenen eines TIFFs brauchen eigene Namen: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>kann nicht geschrieben werden: Eine Photoshop-Datei hat höchstens 30000 Pixel je Seite</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBones-Skelett</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Ebenen (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Ebenen (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4513,10 +4513,6 @@
         <source>Writing the film …</source>
         <translation>Der Film wird geschrieben …</translation>
     </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>Der Name eines TIFFs mit Ebenen endet auf %1.</translation>
-    </message>
 </context>
 <context>
     <name>wend::FactsPanel</name>
@@ -4834,6 +4830,10 @@
         <source>“%1” %2.</source>
         <comment>a file, and what is wrong with it</comment>
         <translation>„%1“ %2.</translation>
+    </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Bilder mit Ebenen (%1)</translation>
     </message>
 </context>
 <context>
@@ -7819,10 +7819,6 @@
         <translation>Ein Bild, ein ebenes Netz oder ein Projekt auswählen.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP – am besten freigestellt mit Transparenz. Auch Projekte, Netze und Körper.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Ein Beispiel ausprobieren</translation>
     </message>
@@ -7853,6 +7849,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Vergisst diese Änderungen endgültig.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP … – am besten freigestellt mit Transparenz.
+PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>una imagen QOI</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>las capas de un TIFF no tienen opacidad, visibilidad ni modo de fusión: se omiten los de %1</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>no se puede escribir: un archivo de Photoshop tiene como máximo 2 GB, y estas capas tienen más</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>las capas de un TIFF necesitan nombres propios: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>no se puede escribir: un archivo de Photoshop tiene como máximo 30000 píxeles por lado</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>Esqueleto de DragonBones</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Capas (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Capas (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4513,10 +4513,6 @@
         <source>Writing the film …</source>
         <translation>Escribiendo la película…</translation>
     </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>El nombre de un TIFF con capas termina en %1.</translation>
-    </message>
 </context>
 <context>
     <name>wend::FactsPanel</name>
@@ -4834,6 +4830,10 @@
         <source>“%1” %2.</source>
         <comment>a file, and what is wrong with it</comment>
         <translation>«%1» %2.</translation>
+    </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Imágenes con capas (%1)</translation>
     </message>
 </context>
 <context>
@@ -7819,10 +7819,6 @@
         <translation>Elegir una imagen, una malla plana o un proyecto.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP: mejor recortadas y con transparencia. También proyectos, mallas y sólidos.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Pruebe un ejemplo</translation>
     </message>
@@ -7853,6 +7849,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Olvida estos cambios para siempre.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP…: mejor recortadas y con transparencia.
+PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>une image QOI</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>les calques d’un TIFF n’ont ni opacité, ni visibilité, ni mode de fusion : ceux de %1 sont omis</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>ne peut pas être écrit&#x202f;: un fichier Photoshop a au plus 2 Go, et ces calques en ont davantage</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>les calques d’un TIFF doivent avoir chacun leur nom : %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>ne peut pas être écrit&#x202f;: un fichier Photoshop a au plus 30000 pixels de côté</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>Squelette DragonBones</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>Calques (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>Calques (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4513,10 +4513,6 @@
         <source>Writing the film …</source>
         <translation>Écriture du film…</translation>
     </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>Le nom d’un TIFF avec calques se termine par %1.</translation>
-    </message>
 </context>
 <context>
     <name>wend::FactsPanel</name>
@@ -4834,6 +4830,10 @@
         <source>“%1” %2.</source>
         <comment>a file, and what is wrong with it</comment>
         <translation>« %1 » %2.</translation>
+    </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>Images avec calques (%1)</translation>
     </message>
 </context>
 <context>
@@ -7819,10 +7819,6 @@
         <translation>Choisir une image, un maillage plan ou un projet.</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG, TIFF, EXR, JPEG, WebP — de préférence détourés, avec transparence. Projets, maillages et solides aussi.</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>Essayer un exemple</translation>
     </message>
@@ -7853,6 +7849,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>Oublie ces modifications définitivement.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG, JPEG, TIFF, EXR, WebP… — de préférence détourés, avec transparence.
+PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</translation>
     </message>
 </context>
 <context>

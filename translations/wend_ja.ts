@@ -1047,12 +1047,12 @@
         <translation>QOI 画像</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>TIFF のレイヤーには不透明度、表示、描画モードがありません: %1 のものは省かれます</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>に書き込めません: Photoshop ファイルは最大 2 GB ですが、これらのレイヤーはそれより大きくなります</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>TIFF のレイヤーには固有の名前が必要です: %1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>に書き込めません: Photoshop ファイルの一辺は最大 30000 ピクセルです</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBonesスケルトン</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>レイヤー (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>レイヤー (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4505,10 +4505,6 @@
         <source>Writing the film …</source>
         <translation>フィルムを書き出しています…</translation>
     </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>レイヤー付き TIFF の名前は %1 で終わります。</translation>
-    </message>
 </context>
 <context>
     <name>wend::FactsPanel</name>
@@ -4826,6 +4822,10 @@
         <source>“%1” %2.</source>
         <comment>a file, and what is wrong with it</comment>
         <translation>「%1」%2。</translation>
+    </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>レイヤーのある画像 (%1)</translation>
     </message>
 </context>
 <context>
@@ -7802,10 +7802,6 @@
         <translation>画像、平面メッシュ、またはプロジェクトを選択します。</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>PNG、TIFF、EXR、JPEG、WebP に対応。透明部分のある切り抜き画像が最適です。プロジェクト、メッシュ、ソリッドも開けます。</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>サンプルを試す</translation>
     </message>
@@ -7836,6 +7832,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>この変更を完全に破棄します。</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>PNG、JPEG、TIFF、EXR、WebP などに対応。透明部分のある切り抜き画像が最適です。
+PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、メッシュ、ソリッドも開けます。</translation>
     </message>
 </context>
 <context>

@@ -1047,12 +1047,12 @@
         <translation>QOI 图片</translation>
     </message>
     <message>
-        <source>layers of a TIFF have no opacity, visibility and blend mode: those of %1 are left out</source>
-        <translation>TIFF 的图层没有不透明度、可见性和混合模式：已省略 %1 的这些属性</translation>
+        <source>cannot be written: a Photoshop file has at most 2 GB, these layers have more</source>
+        <translation>无法写入：Photoshop 文件最大为 2 GB，而这些图层更大</translation>
     </message>
     <message>
-        <source>layers of a TIFF need names of their own: %1</source>
-        <translation>TIFF 的图层需要各不相同的名称：%1</translation>
+        <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
+        <translation>无法写入：Photoshop 文件每边最多 30000 像素</translation>
     </message>
 </context>
 <context>
@@ -1196,8 +1196,8 @@
         <translation>DragonBones 骨架</translation>
     </message>
     <message>
-        <source>Layers (TIFF)</source>
-        <translation>图层 (TIFF)</translation>
+        <source>Layers (Photoshop)</source>
+        <translation>图层 (Photoshop)</translation>
     </message>
 </context>
 <context>
@@ -4505,10 +4505,6 @@
         <source>Writing the film …</source>
         <translation>正在写入影片…</translation>
     </message>
-    <message>
-        <source>The name of a TIFF with layers ends in %1.</source>
-        <translation>带图层的 TIFF 的文件名以 %1 结尾。</translation>
-    </message>
 </context>
 <context>
     <name>wend::FactsPanel</name>
@@ -4826,6 +4822,10 @@
         <source>“%1” %2.</source>
         <comment>a file, and what is wrong with it</comment>
         <translation>“%1”%2。</translation>
+    </message>
+    <message>
+        <source>Pictures with layers (%1)</source>
+        <translation>带图层的图片 (%1)</translation>
     </message>
 </context>
 <context>
@@ -7802,10 +7802,6 @@
         <translation>选择图片、平面网格或项目。</translation>
     </message>
     <message>
-        <source>PNG, TIFF, EXR, JPEG, WebP — cut-outs with transparency work best. Projects, meshes and solids too.</source>
-        <translation>支持 PNG、TIFF、EXR、JPEG、WebP，带透明背景的抠图效果最好。也可打开项目、网格和实体。</translation>
-    </message>
-    <message>
         <source>Try a sample</source>
         <translation>试试示例</translation>
     </message>
@@ -7836,6 +7832,12 @@
     <message>
         <source>Deletes these changes for good.</source>
         <translation>永久丢弃这些更改。</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.
+PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too.</source>
+        <translation>支持 PNG、JPEG、TIFF、EXR、WebP 等，带透明背景的抠图效果最好。
+PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格和实体。</translation>
     </message>
 </context>
 <context>

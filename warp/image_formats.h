@@ -7,7 +7,7 @@
 namespace wend {
 
 /// Returns whether the format of `path`, by its extension, holds pixels of that type. False for a format that
-/// canWriteImage() does not know.
+/// neither writeImage() nor writePhotoshopFile() writes.
 bool holdsType(const std::string& path, PixelType type);
 
 /// Returns whether it holds transparency; without it a picture is composed over white.

@@ -268,6 +268,7 @@ bool canWriteImage(const std::string& path) {
 }
 
 bool holdsType(const std::string& path, PixelType type) {
+    if (lowerExtension(path) == ".psd") return type == PixelType::UInt8 || type == PixelType::UInt16;
     const Format* format = findFormat(lowerExtension(path));
     return format && format->types[static_cast<std::size_t>(type)];
 }

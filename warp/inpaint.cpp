@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kWhite = 255;           // that G'MIC's filters expect
 constexpr double kMostPixels = 1e6;     // in which patches are matched: about ten seconds
+constexpr double kMostLed = 60000;      // of a hole, into which stems and edges are continued
 constexpr double kSurroundings = 0.75;  // of the hole's size, on each side
 constexpr int kFewestAround = 64;       // pixels
 
@@ -95,18 +96,27 @@ class ExchangeFile {
 };
 
 /// Returns the arguments that G'MIC gets with the two images. With several threads the result would differ
-/// each time.
-std::vector<std::string> wordsFor(const std::string& in, const std::string& out, const Image& picture) {
+/// each time. Matching patches from a coarse scale on loses stems and edges that lead into the hole; so these
+/// are continued first, patch by patch from the border (Criminisi, Pérez, Toyama 2004), and the scales refine
+/// that. Across a large hole nothing is led, and objects beside it would be repeated in it.
+std::vector<std::string> wordsFor(const std::string& in, const std::string& out, const Image& picture,
+                                  const std::vector<bool>& hole) {
     const double pixels = static_cast<double>(picture.width) * picture.height;
     std::vector<std::string> words{"-srand", "1", "-input", in};
     const bool isReduced = pixels > kMostPixels;
+    const double scale = isReduced ? std::sqrt(kMostPixels / pixels) : 1;
+    const double holePixels = static_cast<double>(std::ranges::count(hole, true)) * scale * scale;
     if (isReduced) {
-        const double scale = std::sqrt(kMostPixels / pixels);
         const std::string size = std::to_string(std::max(1L, std::lround(scale * picture.width))) + "," +
                                  std::to_string(std::max(1L, std::lround(scale * picture.height)));
         words.insert(words.end(), {"-resize", size + ",1,100%,2", "-gt[1]", "0"});
     }
-    words.insert(words.end(), {"-inpaint_matchpatch[0]", "[1]", "-remove[1]"});
+    if (holePixels > kMostLed)
+        words.insert(words.end(), {"-inpaint_matchpatch[0]", "[1]"});
+    else  // patches of 15 pixels from 100 around; then 4 scales, patches of 9, 10 iterations, blended over 5
+        words.insert(words.end(),
+                     {"-inpaint[0]", "[1],15,100,1,1", "-inpaint_matchpatch[0]", "[1],4,9,10,5,1,1"});
+    words.insert(words.end(), {"-remove[1]"});
     if (isReduced)
         words.insert(words.end(), {"-resize", std::to_string(picture.width) + "," +
                                                   std::to_string(picture.height) + ",1,100%,5"});
@@ -145,7 +155,7 @@ Image inpainted(const Image& picture, const std::vector<bool>& hole, const std::
     exchange.write(in);
     // Its settings, too, are in the folder: it leaves nothing behind, and reads no commands of the user.
     std::vector<std::string> words{"OMP_NUM_THREADS=1", "GMIC_PATH=" + folder.path(), program()};
-    const std::vector<std::string> own = wordsFor(in, out, picture);
+    const std::vector<std::string> own = wordsFor(in, out, picture, hole);
     words.insert(words.end(), own.begin(), own.end());
     FedProcess gmic(programInPath("env"), words);
     if (!gmic.finish(stop)) throw InputError("gmic", "cannot fill the ground: " + lastLine(gmic.output()));

@@ -72,6 +72,22 @@ std::size_t clippedBy(const Nodes& nodes, std::size_t base) {
     return count;
 }
 
+/// A node of a list that is drawn with those that it clips.
+struct DrawnNode {
+    std::size_t base = 0, clips = 0;
+    bool isAtop = false;  // it leaves the alpha of what is below it in the list
+};
+std::vector<DrawnNode> drawnOf(const Nodes& nodes) {
+    std::vector<DrawnNode> drawn;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool isByNext = i + 1 < nodes.size() && !nodes[i + 1].isAtop();
+        const std::size_t clips = nodes[i].isRead() && isByNext ? clippedBy(nodes, i) : 0;
+        if (nodes[i].isShown()) drawn.push_back({i, clips, nodes[i].isAtop() && i > 0});
+        i += clips;
+    }
+    return drawn;
+}
+
 void addNames(const LayerNode& node, std::vector<std::string>& names) {
     if (node.layer && node.isShown()) names.push_back(node.layer->name);
     for (const LayerNode& one : node.below)
@@ -153,14 +169,23 @@ class ShownLister {
             if (!node.isShown()) continue;
             if (&node != &base) one.layer.name += " + " + node.name();
             addNames(node, one.merges);
-            addBox(node, one.layer);
+            addLeftOut(node, one.layer.leftOut);
         }
+        addBox(base, one.layer);
         m_shown.push_back(std::move(one));
     }
 
-    static void addBox(const LayerNode& node, PictureLayer& all) {
+    static void addLeftOut(const LayerNode& node, std::vector<std::string>& leftOut) {
         if (!node.isShown()) return;
-        for (const LayerNode& one : node.below) addBox(one, all);
+        for (const LayerNode& one : node.below) addLeftOut(one, leftOut);
+        if (!node.layer) return;
+        leftOut.insert(leftOut.end(), node.layer->leftOut.begin(), node.layer->leftOut.end());
+    }
+
+    /// Adds the box of the picture that LayerMerger draws: what is clipped does not reach beyond its base.
+    static void addBox(const LayerNode& node, PictureLayer& all) {
+        for (const DrawnNode& one : drawnOf(node.below))
+            if (!one.isAtop) addBox(node.below[one.base], all);
         if (!node.layer) return;
         const PictureLayer& own = *node.layer;
         const bool isFirst = all.width == 0;
@@ -168,7 +193,6 @@ class ShownLister {
         all.width = std::max(isFirst ? 0 : all.x + all.width, own.x + own.width) - x;
         all.height = std::max(isFirst ? 0 : all.y + all.height, own.y + own.height) - y;
         all.x = x, all.y = y;
-        all.leftOut.insert(all.leftOut.end(), own.leftOut.begin(), own.leftOut.end());
     }
 
     /// Merged pictures have other names than all layers.
@@ -238,18 +262,14 @@ class LayerMerger {
     }
 
     void layAll(const Nodes& nodes, MergedSheet& sheet) {
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const LayerNode& node = nodes[i];
-            const bool isByNext = i + 1 < nodes.size() && !nodes[i + 1].isAtop();
-            const std::size_t clips = node.isRead() && isByNext ? clippedBy(nodes, i) : 0;
-            i += clips;
-            if (!node.isShown()) continue;
+        for (const auto [base, clips, isAtop] : drawnOf(nodes)) {
+            const LayerNode& node = nodes[base];
             if (clips == 0 && node.isPassedThrough()) {
                 layAll(node.below, sheet);
                 continue;
             }
-            MergedSheet above = clipped(nodes, i - clips, clips);
-            if (node.isAtop() && i > 0)
+            MergedSheet above = clipped(nodes, base, clips);
+            if (isAtop)
                 layAtop(above, node.opacity(), modeOf(node), sheet);
             else
                 layOver(above, node.opacity(), modeOf(node), sheet);

@@ -3,6 +3,8 @@
 #include <minizip/zip.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <pugixml.hpp>
@@ -104,6 +106,12 @@ const char* compositeOf(BlendMode mode) {
     return "svg:src-over";
 }
 
+/// Returns the fewest digits that give the same number when they are read.
+std::string fewestDigits(double value) {
+    std::array<char, 32> text;
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 std::string description(const std::vector<LayerToWrite>& layers, const Image& merged) {
     pugi::xml_document document;
     pugi::xml_node image = document.append_child("image");
@@ -117,7 +125,7 @@ std::string description(const std::vector<LayerToWrite>& layers, const Image& me
         layer.append_attribute("src") = fileOf(k).c_str();
         layer.append_attribute("x") = layers[k].x;
         layer.append_attribute("y") = layers[k].y;
-        layer.append_attribute("opacity") = layers[k].opacity;
+        layer.append_attribute("opacity") = fewestDigits(layers[k].opacity).c_str();
         layer.append_attribute("visibility") = layers[k].visible ? "visible" : "hidden";
         layer.append_attribute("composite-op") = compositeOf(layers[k].blend);
     }

@@ -70,9 +70,6 @@ struct PictureToWrite {
         false;  // of WebP: details that are hardly visible are dropped, for a file of a fraction of the size
     std::vector<std::string> channelNames =
         {};  // of an EXR with more than one picture; empty: the usual ones
-    /// The number of this page in a TIFF of layers, placed in the frame of the first page (0), which creates
-    /// the file; the others are appended.
-    std::optional<int> page = {};
 };
 
 /// A film that is written to a file.

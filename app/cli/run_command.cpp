@@ -7,7 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/run_preparation.h"
 #include "app/cli/terminal.h"
-#include "app/engine/applied_motion.h"
+#include "app/engine/motion_transfer.h"
 #include "app/project/edits/scaled_project.h"
 #include "app/project/file/named_files.h"
 #include "app/project/file/project_reader.h"

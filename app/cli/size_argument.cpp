@@ -1,7 +1,7 @@
 #include "app/cli/size_argument.h"
 
 #include "app/project/domain.h"
-#include "app/project/edits/drawing_size.h"
+#include "app/project/edits/scaled_project.h"
 #include "app/project/file/named_files.h"
 #include "core/base/error.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,11 @@ struct HeldShape {
 template <int Dim>
 TransferredMotion withMotionOf(const HeldShape<Dim>& source, const HeldShape<Dim>& target,
                                const std::string& folder);
+
+/// Returns the project, whose files are relative to `folder`, with the motion of the project in file
+/// `source`; see withMotionOf(). Both shapes are built for that. Thread-safe. Throws InputError, and
+/// Cancelled when stopped.
+TransferredMotion withMotionOf(const std::string& source, const Project& target, const std::string& folder,
+                               std::stop_token stop = {});
 
 }  // namespace wend

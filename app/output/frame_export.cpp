@@ -134,9 +134,7 @@ void FrameExport::writePicture(const std::string& path, const View& view, const 
     if (isLayeredFile(path) || getsPartChannels(path, *posed<2>(m_frame)->built)) {
         const auto layers = warpedLayers(*posed<2>(m_frame)->built, m_pose, m_levels, view, warp);
         const Image merged = warpImage(*m_picture, *m_rest, m_pose, view, warp);
-        const Message lost = writeLayers(path, layers, merged, options.depth);
-        if (!lost.isEmpty() && watch.notice) watch.notice(path + ": " + lost);
-        return;
+        return writeLayers(path, layers, merged, options.depth);
     }
     writeWarped(path, WarpedPicture(*m_picture, *m_rest, m_pose, view, warp), options.depth, options.lossy);
 }

@@ -8,7 +8,7 @@
 #include "core/base/safe_file.h"
 #include "core/mesh/used_vertices.h"
 #include "warp/layered_exr.h"
-#include "warp/layered_tiff.h"
+#include "warp/photoshop_file.h"
 #include "warp/warp.h"
 
 namespace wend {
@@ -55,23 +55,19 @@ LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& 
 
 bool isLayeredFile(const std::string& path) {
     const std::string extension = lowerExtension(path);
-    const bool isTiff = extension == ".tif" || extension == ".tiff";
-    return extension == ".ora" ||
-           (isTiff && lowerExtension(path.substr(0, path.size() - extension.size())) == ".layers");
+    return extension == ".ora" || extension == ".psd";
 }
 
-Message writeLayers(const std::string& path, const std::vector<LayerToWrite>& layers, const Image& merged,
-                    std::optional<PixelType> depth) {
+void writeLayers(const std::string& path, const std::vector<LayerToWrite>& layers, const Image& merged,
+                 std::optional<PixelType> depth) {
     const std::string extension = lowerExtension(path);
     if (extension == ".exr") {
         writeLayeredExr(path, merged, layers, depth);
     } else if (extension == ".ora") {
         writeWhole(path, [&](const std::string& temporary) { writeOpenRaster(temporary, layers, merged); });
     } else {
-        writeLayeredTiff(path, merged, layers, depth);
-        return lostInLayeredTiff(layers);
+        writePhotoshopFile(path, layers, merged, depth);
     }
-    return {};
 }
 
 bool getsPartChannels(const std::string& path, const Shape<2>& shape) {

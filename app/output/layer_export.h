@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "app/engine/shape/shape.h"
-#include "core/base/message.h"
 #include "warp/open_raster.h"
 
 namespace wend {
@@ -11,15 +10,13 @@ namespace wend {
 struct View;
 struct WarpOptions;
 
-/// Returns whether the name is that of a file which gets every part as a layer: an OpenRaster file, or a TIFF
-/// (kLayeredTiff).
+/// Returns whether the name is that of a file which gets every part as a layer: OpenRaster or Photoshop.
 bool isLayeredFile(const std::string& path);
-inline constexpr const char* kLayeredTiff = ".layers.tif";
 
-/// Writes a file that isLayeredFile(), or an EXR file with the parts as channels, whole or not at all.
-/// Returns what it does not hold of the layers; empty if nothing is lost. Throws InputError.
-Message writeLayers(const std::string& path, const std::vector<LayerToWrite>& layers, const Image& merged,
-                    std::optional<PixelType> depth);
+/// Writes a file that isLayeredFile(), or an EXR file with the parts as channels, whole or not at all. Throws
+/// InputError.
+void writeLayers(const std::string& path, const std::vector<LayerToWrite>& layers, const Image& merged,
+                 std::optional<PixelType> depth);
 
 /// Returns the pixels of the view in which cells are visible, with one more on every side; empty if there are
 /// none.

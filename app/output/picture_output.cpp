@@ -1,6 +1,7 @@
 #include "app/output/picture_output.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/engine/shape/material_picture.h"
 #include "app/output/layer_export.h"
@@ -10,12 +11,71 @@
 #include "app/project/file/named_files.h"
 #include "app/project/file/text_file.h"
 #include "core/base/error.h"
+#include "warp/image.h"
 #include "warp/image_formats.h"
 #include "warp/layered_exr.h"
 #include "warp/warp.h"
 #include "warp/warped_picture.h"
 
 namespace wend {
+
+Film& FilmOutputs::filmAt(const std::string& path) {
+    if (const auto known = m_films.find(path); known != m_films.end()) return known->second;
+    return m_films.try_emplace(path, path, m_files.begin(path), m_options).first->second;
+}
+
+void FilmOutputs::add(const std::vector<std::string>& paths, const WarpedPicture& picture) {
+    if (paths.empty()) return;
+    Image frame = picture.header();
+    frame.makePixels();
+    if (!picture.paint(0, frame)) throw Cancelled();
+    for (const std::string& path : paths) {
+        Film& film = filmAt(path);
+        m_files.extend(path, [&] { film.add(frame); });
+    }
+}
+
+void FilmOutputs::finish() {
+    for (auto& [path, film] : m_films) m_files.extend(path, [&] { film.finish(); });
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string folderOfFile(const std::string& path) {
+    const fs::path parent = fs::path(path).parent_path();
+    return parent.empty() ? "." : parent.string();
+}
+
+}  // namespace
+
+PoseFile::PoseFile(const std::string& path)
+    : m_path(path),
+      m_folder(folderOfFile(path)),
+      m_stream((fs::path(m_folder.path()) / "poses").string(),
+               std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc) {}
+
+void PoseFile::add(const Points<2>& pose) {
+    m_columns = pose.cols();
+    m_stream.write(reinterpret_cast<const char*>(pose.data()),
+                   static_cast<std::streamsize>(sizeof(double)) * pose.size());
+    if (!m_stream)
+        throw InputError(m_path, {sentence("Core", "cannot be written: %1"),
+                                  Message(sentence("Core", "the disk may be full"))});
+    ++m_count;
+}
+
+Points<2> PoseFile::read(int k) {
+    Points<2> pose(2, m_columns);
+    const auto bytes = static_cast<std::streamsize>(sizeof(double)) * pose.size();
+    m_stream.seekg(k * bytes);  // which writes what is still buffered
+    m_stream.read(reinterpret_cast<char*>(pose.data()), bytes);
+    if (!m_stream)
+        throw InputError(m_path, {sentence("Core", "cannot be written: %1"),
+                                  Message(sentence("Core", "the disk may be full"))});
+    return pose;
+}
 
 PictureOutput::PictureOutput(const Project& project, const std::string& path, const Shape<2>& shape,
                              const RunOptions& options, const RunWatch& watch, const SharedDevice& device,
@@ -41,8 +101,8 @@ void PictureOutput::write(double time, const Points<2>& pose) {
         const double done = static_cast<double>(k);
         m_files.add(outputs.image[k], ".png", [&](const std::string& file) {
             if (isSvgFile(file)) return writeSvg(file, time, pixels, view);
-            if (isLayeredFile(outputs.image[k]) || getsPartChannels(file, m_shape))
-                return writeParts(outputs.image[k], file, time, pixels, view);
+            if (isLayeredFile(file) || getsPartChannels(file, m_shape))
+                return writeParts(file, time, pixels, view);
             writePicture(file, warped(time, pixels, view, warping(done / count, (done + 1) / count)));
         });
     }
@@ -135,14 +195,13 @@ Extent<2> PictureOutput::extent(const Points<2>& pixels) const {
     return extentOf<2>(pixels, restInPixels(m_shape).cells);
 }
 
-void PictureOutput::writeParts(const std::string& path, const std::string& file, double time,
-                               const Points<2>& pixels, const View& view) {
+void PictureOutput::writeParts(const std::string& file, double time, const Points<2>& pixels,
+                               const View& view) {
     const WarpOptions options = warpOptions(time, {});
     const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
     const auto layers = warpedLayers(m_shape, pixels, levels, view, options);
     const Image merged = warpImage(*m_shape.picture, restInPixels(m_shape), pixels, view, options);
-    const Message lost = writeLayers(file, layers, merged, m_options.depth);
-    if (!lost.isEmpty() && m_watch.notice) m_watch.notice(path + ": " + lost);
+    writeLayers(file, layers, merged, m_options.depth);
 }
 
 void PictureOutput::writeSvg(const std::string& file, double time, const Points<2>& pixels,

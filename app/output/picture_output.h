@@ -1,6 +1,8 @@
 #pragma once
 
+#include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,18 +10,62 @@
 
 #include "app/engine/shape/depth.h"
 #include "app/engine/shape/shape.h"
-#include "app/output/film_outputs.h"
-#include "app/output/pose_file.h"
 #include "app/output/run.h"
 #include "app/output/svg_export.h"
+#include "core/base/safe_file.h"
+#include "core/base/types.h"
 #include "kernels/back_end_choice.h"
+#include "warp/film.h"
 #include "warp/sampling.h"
 
 namespace wend {
 
 class OutputSet;
-class WarpedPicture;
 struct WarpOptions;
+class WarpedPicture;
+
+/// The films of a run. Each is encoded while frames come, and is whole with the other outputs or not there.
+class FilmOutputs {
+  public:
+    /// `files` must outlive this object.
+    FilmOutputs(OutputSet& files, FilmOptions options) : m_files(files), m_options(std::move(options)) {}
+
+    /// Adds the picture to the films with these names. Throws InputError and Cancelled.
+    void add(const std::vector<std::string>& paths, const WarpedPicture& picture);
+    /// Completes all films. Throws InputError and Cancelled.
+    void finish();
+    /// Ends the work on all films; their files are the output set's to discard.
+    void discard() { m_films.clear(); }
+    bool any() const { return !m_films.empty(); }
+
+  private:
+    Film& filmAt(const std::string& path);
+
+    OutputSet& m_files;
+    FilmOptions m_options;
+    std::map<std::string, Film> m_films;
+};
+
+/// Keeps poses that have to wait, such as until the size of a canvas for all of them is known. They are on
+/// the disk, since a long sequence would fill the memory, and are deleted with this object.
+class PoseFile {
+  public:
+    /// Makes the file in the folder of `path`, which errors name.
+    explicit PoseFile(const std::string& path);
+
+    /// Appends a pose; all have one size. Throws InputError when the disk is full.
+    void add(const Points<2>& pose);
+    int count() const { return m_count; }
+    /// Returns the k-th pose, bit for bit.
+    Points<2> read(int k);
+
+  private:
+    std::string m_path;
+    TemporaryFolder m_folder;
+    std::fstream m_stream;
+    Eigen::Index m_columns = 0;
+    int m_count = 0;
+};
 
 /// Writes the pictures of a run: those of its end, frames, films, ST maps and the material.
 class PictureOutput {
@@ -53,8 +99,7 @@ class PictureOutput {
                          const std::function<void(double)>& progress);
     std::function<void(double)> warping(double from, double to) const;
     Extent<2> extent(const Points<2>& pixels) const;
-    void writeParts(const std::string& path, const std::string& file, double time, const Points<2>& pixels,
-                    const View& view);
+    void writeParts(const std::string& file, double time, const Points<2>& pixels, const View& view);
     void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view);
     void writePicture(const std::string& file, const WarpedPicture& picture) const;
     void writeFrame(int number, double time, const Points<2>& pixels, const View& view,

@@ -77,7 +77,8 @@ WarpOptions warpOptionsOf(const Project& project, const RunOptions& options) {
 }
 
 void requireDepth(const std::string& path, const RunOptions& options) {
-    if (!options.depth || path.empty() || path == "-" || !canWriteImage(path)) return;
+    const bool hasDepths = canWriteImage(path) || holdsType(path, PixelType::UInt8);
+    if (!options.depth || path.empty() || path == "-" || !hasDepths) return;
     if (!holdsType(path, *options.depth))
         throw InputError(path, "the format does not hold pictures of this depth (--depth)");
 }

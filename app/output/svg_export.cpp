@@ -8,7 +8,7 @@
 #include "app/output/layer_export.h"
 #include "app/output/run.h"
 #include "app/project/domain.h"
-#include "app/project/edits/drawing_size.h"
+#include "app/project/edits/scaled_project.h"
 #include "app/project/file/named_files.h"
 #include "core/base/error.h"
 #include "core/base/file_name.h"

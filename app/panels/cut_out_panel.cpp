@@ -2,7 +2,7 @@
 
 #include <QVBoxLayout>
 
-#include "app/session/shape_session.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 
@@ -10,14 +10,14 @@ QString CutOutPanel::notACutOut() {
     return tr("Only a cut-out has this. An outline that you have drawn stays as you drew it.");
 }
 
-CutOutPanel::CutOutPanel(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_settings(session.document(), this, notACutOut()) {
+CutOutPanel::CutOutPanel(Document& document, QWidget* parent)
+    : QWidget(parent), m_settings(document, this, notACutOut()) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 4, 16, 4);
     layout->setSpacing(8);
     for (const char* key : {"domain.outline.gap", "domain.outline.smallest"})
         layout->addWidget(m_settings.row(key));
-    connect(&session.document(), &Document::projectChanged, this, [this] { m_settings.show(); });
+    connect(&document, &Document::projectChanged, this, [this] { m_settings.show(); });
     m_settings.show();
 }
 

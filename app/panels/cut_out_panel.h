@@ -6,14 +6,14 @@
 
 namespace wend {
 
-class ShapeSession;
+class Document;
 
 /// Numbers of a cut-out's outline that are rarely needed.
 class CutOutPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit CutOutPanel(ShapeSession& session, QWidget* parent = nullptr);
+    explicit CutOutPanel(Document& document, QWidget* parent = nullptr);
     /// Why the settings of a cut-out cannot be changed elsewhere.
     static QString notACutOut();
 

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/base/in_background.h"
 #include "app/engine/shape/inspection.h"
 #include "app/engine/shape/shape.h"
 #include "app/engine/shape/told_units.h"
@@ -151,17 +150,10 @@ void FactsPanel::lookAtFile() {
     m_path = path;
     m_generation = document.generation();
     m_surface->setText(tr("Looking at the file …"));
-    const auto look = [path]() -> QString {
-        try {
-            return factsOfFile(path.toStdString());
-        } catch (const std::exception&) {
-            return {};  // reported elsewhere
-        }
-    };
-    inBackground(this, look, [this, path](const QString& lines) {
-        if (path != m_path) return;
-        m_surface->setVisible(!lines.isEmpty());
-        m_surface->setText(asTable(tr("Surface of the file"), lines));
+    const auto look = [path]() -> QString { return factsOfFile(path.toStdString()); };
+    m_looking.ask(look, [this](const Answer<QString>& lines) {  // what is wrong is reported elsewhere
+        m_surface->setVisible(!lines.value.isEmpty());
+        m_surface->setText(asTable(tr("Surface of the file"), lines.value));
     });
 }
 

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/base/latest.h"
 #include "app/session/shape_session.h"
 
 class QLabel;
@@ -42,6 +43,7 @@ class FactsPanel : public QWidget {
     int m_generation = -1;                // … in this document
     std::shared_ptr<const void> m_shape;  // that m_nextGap is of
     std::size_t m_nextGap = 0;
+    Latest m_looking{this};
 };
 
 }  // namespace wend

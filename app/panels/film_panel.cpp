@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "app/base/preferences.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/setting_edits.h"
@@ -23,9 +23,9 @@ constexpr double kShortest = 0.01;  // seconds of a cycle
 
 }  // namespace
 
-FilmPanel::FilmPanel(ShapeSession& session, QWidget* parent)
+FilmPanel::FilmPanel(Document& document, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
       m_rate(new OptionField("time.frameRate", this)),
       m_cycles(new QCheckBox(tr("Cycle"), this)),
       m_from(new ExactBox(this)),
@@ -69,21 +69,20 @@ void FilmPanel::makeCycle() {
 
 void FilmPanel::connectAll() {
     connect(m_rate, &OptionField::changed, this,
-            [this] { changeSetting(m_session.document(), "time.frameRate", m_rate->number()); });
+            [this] { changeSetting(m_document, "time.frameRate", m_rate->number()); });
     connect(m_cycles, &QCheckBox::toggled, this, [this] { changeCycle({}); });
     for (ExactBox* box : {m_from, m_to})
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { changeCycle(QStringLiteral("cycle")); });
     connect(m_choose, &QPushButton::clicked, this, &FilmPanel::chooseSound);
     connect(m_remove, &QPushButton::clicked, this, [this] { setSound({}); });
-    connect(&m_session.document(), &Document::projectChanged, this, &FilmPanel::showProject);
-    connect(&m_session.document(), &Document::opened, this, &FilmPanel::showProject);
+    connect(&m_document, &Document::projectChanged, this, &FilmPanel::showProject);
+    connect(&m_document, &Document::opened, this, &FilmPanel::showProject);
 }
 
 void FilmPanel::showProject() {
-    const Document& document = m_session.document();
-    setEnabled(!document.isEmpty());
-    if (document.isEmpty()) return;
-    const Project& project = *document.project();
+    setEnabled(!m_document.isEmpty());
+    if (m_document.isEmpty()) return;
+    const Project& project = *m_document.project();
     m_rate->setNumber(project.frameRate);
     const auto [from, to] = project.cycle.value_or(std::array{0.0, project.end});
     const QSignalBlocker quiet(m_cycles), alsoFrom(m_from), alsoTo(m_to);
@@ -100,20 +99,18 @@ void FilmPanel::showProject() {
 
 /// Changes that have a name merge into one step.
 void FilmPanel::changeCycle(const QString& name) {
-    Document& document = m_session.document();
-    if (document.isEmpty()) return;
-    Project next = *document.project();
+    if (m_document.isEmpty()) return;
+    Project next = *m_document.project();
     next.cycle.reset();
     if (m_cycles->isChecked()) next.cycle = {m_from->exact(), m_to->exact()};
-    document.change(tr("Change cycle"), std::move(next), name);
+    m_document.change(tr("Change cycle"), std::move(next), name);
 }
 
 void FilmPanel::setSound(const QString& path) {
-    Document& document = m_session.document();
-    if (document.isEmpty()) return;
-    Project next = *document.project();
+    if (m_document.isEmpty()) return;
+    Project next = *m_document.project();
     next.audio = path.toStdString();
-    document.change(path.isEmpty() ? tr("Remove sound") : tr("Choose sound"), std::move(next), {});
+    m_document.change(path.isEmpty() ? tr("Remove sound") : tr("Choose sound"), std::move(next), {});
 }
 
 void FilmPanel::chooseSound() {

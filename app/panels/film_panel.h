@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/session/shape_session.h"
+#include "app/project/edits/document.h"
 
 class QCheckBox;
 class QLabel;
@@ -18,7 +18,7 @@ class FilmPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FilmPanel(ShapeSession& session, QWidget* parent = nullptr);
+    explicit FilmPanel(Document& document, QWidget* parent = nullptr);
 
     /// Takes the file as the film's sound; an empty path removes the sound.
     void setSound(const QString& path);
@@ -30,7 +30,7 @@ class FilmPanel : public QWidget {
     void changeCycle(const QString& name);
     void chooseSound();
 
-    ShapeSession& m_session;
+    Document& m_document;
     OptionField* m_rate;
     QCheckBox* m_cycles;
     ExactBox *m_from, *m_to;

@@ -2,25 +2,58 @@
 
 #include <QWidget>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 
 class QPushButton;
+class QSlider;
 
 namespace wend {
 
-class MemorySlider;
+/// The strength of the memory: a slider from "not at all" to "fully", above it a picture of a strip whose pin
+/// was moved in a circle.
+class MemorySlider : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MemorySlider(QWidget* parent = nullptr);
+
+    /// ρ, infinite at the slider's end; one beyond all other places shows as the last of them and is kept.
+    double memory() const { return m_memory; }
+    void setMemory(double memory);
+    QSlider* slider() const { return m_slider; }
+    QSize sizeHint() const override;
+
+  signals:
+    /// The user chose another one; the number is the same for all values of one gesture.
+    void memoryChosen(double memory, int gesture);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void choose(int value);
+    int lineHeight() const;
+
+    QSlider* m_slider;
+    double m_memory = 0;
+    int m_gesture = 0;
+};
 
 /// How the shape follows its pins over time: the memory of the rest shape, and relaxation.
 class FlowPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FlowPanel(ShapeSession& session, QWidget* parent = nullptr);
+    explicit FlowPanel(Document& document, Playback& playback, QWidget* parent = nullptr);
 
   private:
     void showProject();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     MemorySlider* m_memory;
     QPushButton* m_settle;
 };

@@ -5,12 +5,19 @@
 #include <QPixmap>
 #include <QPushButton>
 
-#include "app/base/in_background.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/edits/free_name.h"
 #include "app/project/file/named_files.h"
+#include "app/project/file/named_places.h"
+#include "app/session/shape_session.h"
+#include "core/base/error.h"
+#include "core/mesh/group_vertices.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
+
 namespace {
 
 /// Returns the colour of a group: steps of the golden angle keep neighbours in the list apart.
@@ -18,6 +25,38 @@ QColor colourOf(int group) {
     constexpr double kGolden = 0.381966;
     const double hue = group * kGolden;
     return QColor::fromHsvF(static_cast<float>(hue - std::floor(hue)), 0.75F, group % 2 == 0 ? 0.85F : 0.65F);
+}
+
+/// Returns the groups of a mesh file. Thread-safe.
+std::vector<HeldGroup> heldGroups(const std::string& path) {
+    std::vector<HeldGroup> groups;
+    const auto file = sharedMeshFile(path);
+    for (const GroupFacts& facts : groupFacts(*file)) {
+        HeldGroup group{
+            facts.name.empty() ? std::to_string(facts.tag) : facts.name, facts.dimension, facts.count, {}};
+        try {
+            group.vertices = groupVertices(*file, group.name, group.dimension);
+        } catch (const InputError&) {
+            continue;  // a number that is also the name of another one
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+/// Adds a handle that holds a group, by its name, and selects it.
+void holdGroup(ShapeSession& session, const HeldGroup& group) {
+    Document& document = session.document();
+    const int count = session.handleCount();
+    Design design = document.design();
+    const std::vector<std::string> names = namesOf(design.handles);
+    Pin& handle = design.handles.emplace_back();
+    const bool isTaken = std::ranges::count(names, group.name) > 0;
+    handle.name = isTaken ? freeName(names, group.name, 2) : group.name;
+    placeOnGroup(handle, group.name, group.dimension, group.vertices);
+    document.changeDesign(ShapeSession::tr("Hold %1").arg(QString::fromStdString(group.name)),
+                          std::move(design));
+    session.selection().set({count});
 }
 
 }  // namespace
@@ -56,16 +95,13 @@ GroupList::GroupList(ShapeSession& session, QWidget* parent)
 
 /// Reads in the background, because the file may be large.
 void GroupList::read() {
-    const int ticket = ++m_ticket;
+    m_reading.drop();
     take({});
     const Document& document = m_session.document();
     if (document.isEmpty() || document.domain().kind == DomainKind::Image) return;
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    inBackground(
-        this, [path] { return heldGroups(path); },
-        [this, ticket](const std::vector<HeldGroup>& groups) {
-            if (ticket == m_ticket) take(groups);
-        });
+    m_reading.ask([path] { return heldGroups(path); },
+                  [this](const Answer<std::vector<HeldGroup>>& groups) { take(groups.value); });
 }
 
 void GroupList::take(const std::vector<HeldGroup>& groups) {

@@ -1,16 +1,27 @@
 #pragma once
 
 #include <QColor>
+#include <QString>
 #include <QWidget>
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "app/session/mesh_groups.h"
+#include "app/base/latest.h"
 #include "app/session/shape_session.h"
 
 class QListWidget;
 class QPushButton;
 
 namespace wend {
+
+/// A group of a mesh's or surface's file, with the vertices that a handle on it holds.
+struct HeldGroup {
+    std::string name;   // as a project names it: a number if the file has no name
+    int dimension = 0;  // of its cells; 0: of vertices
+    int count = 0;      // of its cells or vertices
+    std::vector<int> vertices;
+};
 
 /// The vertices of a group, as they are marked on the shape.
 struct GroupMark {
@@ -49,7 +60,7 @@ class GroupList : public QWidget {
     QListWidget* m_list;
     QPushButton* m_hold;
     QWidget* m_content;  // hidden where there are no groups
-    int m_ticket = 0;    // of the newest reading
+    Latest m_reading{this};
 };
 
 }  // namespace wend

@@ -9,8 +9,7 @@
 
 #include "app/engine/shape/told_units.h"
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/stiffness_fields.h"

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "app/panels/fields/setting_rows.h"
+#include "app/project/project_fwd.h"
 #include "app/session/shape_session.h"
 
 class QComboBox;
@@ -12,7 +13,22 @@ class QToolButton;
 
 namespace wend {
 
-class DetailRow;
+/// The detailed surface that is embedded in a solid, with buttons to choose and remove it.
+class DetailRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit DetailRow(QWidget* parent = nullptr);
+    void showDomain(const Domain& domain);
+
+  signals:
+    void wanted();
+    void removed();
+
+  private:
+    QLabel* m_name;
+    QToolButton *m_choose, *m_remove;
+};
 
 /// The source of the outline and the fineness of the mesh.
 class MeshPanel : public QWidget {

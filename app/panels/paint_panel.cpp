@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/stiffness_fields.h"
 
@@ -25,9 +25,9 @@ int keyOf(const BrushSettings& brush) {
 
 }  // namespace
 
-PaintPanel::PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent)
+PaintPanel::PaintPanel(Document& document, Brush& brush, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
       m_brush(brush),
       m_pages(new QStackedWidget(this)),
       m_phi(new EnergySlider(this)),
@@ -84,8 +84,8 @@ void PaintPanel::change(const Change& change) {
 
 void PaintPanel::connectControls() {
     connect(&m_brush, &Brush::changed, this, &PaintPanel::showBrush);
-    connect(&m_session.document(), &Document::opened, this, [this] {
-        if (!m_session.document().isEmpty()) setDimension(m_session.document().dimension());
+    connect(&m_document, &Document::opened, this, [this] {
+        if (!m_document.isEmpty()) setDimension(m_document.dimension());
     });
     connect(m_phi, &EnergySlider::phiChosen, this,
             [this](double phi) { change([&](BrushSettings& brush) { brush.phi = phi; }); });

@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <array>
 
+#include "app/project/edits/document.h"
 #include "app/session/brush.h"
-#include "app/session/shape_session.h"
 
 class QComboBox;
 class QStackedWidget;
@@ -20,7 +20,7 @@ class PaintPanel : public QWidget {
     Q_OBJECT
 
   public:
-    PaintPanel(ShapeSession& session, Brush& brush, QWidget* parent = nullptr);
+    PaintPanel(Document& document, Brush& brush, QWidget* parent = nullptr);
 
   private:
     void makeControls();
@@ -34,7 +34,7 @@ class PaintPanel : public QWidget {
     template <class Change>
     void change(const Change& change);
 
-    ShapeSession& m_session;
+    Document& m_document;
     Brush& m_brush;
     int m_dimension = 0;
     QStackedWidget* m_pages;

@@ -8,7 +8,7 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/region_numbers.h"

@@ -2,7 +2,7 @@
 
 #include <QCheckBox>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/region_numbers.h"
 #include "app/project/design.h"

@@ -1,9 +1,15 @@
 #include "app/session/part_making.h"
 
+#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,9 +19,13 @@
 #include "app/project/domain.h"
 #include "app/project/edits/part_edits.h"
 #include "app/session/shape_session.h"
+#include "core/base/disjoint_sets.h"
+#include "core/mesh/boundary_loops.h"
+#include "core/mesh/cell_geometry.h"
 #include "core/meshing/outline_combination.h"
 
 namespace wend {
+
 namespace {
 
 constexpr double kFeather = 2;        // pixels of the soft edge
@@ -127,6 +137,147 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
                        .arg(name, QString::fromStdString(made.from)));
 }
 
+constexpr std::size_t kMostIslands = 24;  // more are noise
+constexpr int kTried = 40;                // vertices of a part whose distance to others is measured
+
+/// The vertices of a picture's mesh that move together: through cells and joints.
+class HeldPieces {
+  public:
+    HeldPieces(const ShapeSession& session, const SimplicialMesh<2>& rest)
+        : m_rest(rest), m_sets(rest.vertexCount()) {
+        for (const Cell<2>& cell : rest.cells)
+            for (const int v : cell) m_sets.join(cell[0], v);
+        for (const Weld& weld : rest.welds)
+            for (const auto& [v, weight] : weld.terms) m_sets.join(weld.terms.front().first, v);
+        for (const auto& pins : {session.pins(true), session.ghosts()})
+            for (const PinView& pin : pins)
+                for (const Place& place : pin.places) m_held.insert(rootOfCell(place.cell));
+    }
+
+    int rootOfCell(int cell) { return m_sets.root(m_rest.cells[static_cast<std::size_t>(cell)][0]); }
+    bool isHeld(int cell) { return m_held.contains(rootOfCell(cell)); }
+    bool isAnyHeld() const { return !m_held.empty(); }
+
+  private:
+    const SimplicialMesh<2>& m_rest;
+    DisjointSets m_sets;
+    std::set<int> m_held;
+};
+
+double distanceBetween(const SimplicialMesh<2>& rest, const MeshPart& one, const MeshPart& other) {
+    const int step = std::max(1, (one.endVertex - one.firstVertex) / kTried);
+    double least = std::numeric_limits<double>::infinity();
+    for (int v = one.firstVertex; v < one.endVertex; v += step)
+        for (int w = other.firstVertex; w < other.endVertex; ++w)
+            least = std::min(least, (rest.points.col(v) - rest.points.col(w)).squaredNorm());
+    return least;
+}
+
+double areaOf(const SimplicialMesh<2>& rest, const MeshPart& part) {
+    double area = 0;
+    for (int c = part.firstCell; c < part.endCell; ++c)
+        area += std::abs(cellMeasure<2>(rest.points, rest.cells[static_cast<std::size_t>(c)]));
+    return area;
+}
+
+bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec<2>& p) {
+    const auto cells = std::span(rest.cells)
+                           .subspan(static_cast<std::size_t>(part.firstCell),
+                                    static_cast<std::size_t>(part.endCell - part.firstCell));
+    return std::ranges::any_of(
+        cells, [&](const Cell<2>& cell) { return barycentric<2>(rest.points, cell, p).minCoeff() >= 0; });
+}
+
+/// Returns whether at least half of a part lies on another one.
+bool liesOn(const SimplicialMesh<2>& rest, const MeshPart& part, const MeshPart& other) {
+    const auto points = rest.points.middleCols(other.firstVertex, other.endVertex - other.firstVertex);
+    const Eigen::AlignedBox2d box(Vec<2>(points.rowwise().minCoeff()), Vec<2>(points.rowwise().maxCoeff()));
+    const int step = std::max(1, (part.endVertex - part.firstVertex) / kTried);
+    int tried = 0, inside = 0;
+    for (int v = part.firstVertex; v < part.endVertex; v += step, ++tried) {
+        const Vec<2> p = rest.points.col(v);
+        inside += box.contains(p) && isIn(rest, other, p);
+    }
+    return 2 * inside >= tried;
+}
+
+/// Finds parts whose cells are all stray, each with what it could ride on.
+class StrayFinder {
+  public:
+    StrayFinder(const std::vector<PicturePart>& parts, const SimplicialMesh<2>& rest, HeldPieces& pieces)
+        : m_parts(parts), m_rest(rest) {
+        for (const MeshPart& part : rest.parts) {
+            bool isHeld = false;
+            for (int c = part.firstCell; c < part.endCell && !isHeld; ++c) isHeld = pieces.isHeld(c);
+            (isHeld ? m_held : m_stray).push_back(&part);
+        }
+    }
+
+    /// What lies on a stray part stays with it.
+    std::vector<StrayPart> find() {
+        if (m_held.empty()) return {};
+        std::vector<std::pair<const MeshPart*, const MeshPart*>> lying;
+        for (const MeshPart* part : m_stray) {
+            const MeshPart* nearest = *std::ranges::min_element(
+                m_held, {}, [&](const MeshPart* other) { return distanceBetween(m_rest, *part, *other); });
+            const MeshPart* carrier = carrierOf(*part, *nearest);
+            if (carrier)
+                lying.emplace_back(part, carrier);
+            else if (areaOf(m_rest, *part) < areaOf(m_rest, *nearest))  // a larger one is a ground
+                add(*part, *nearest);
+        }
+        for (std::size_t count = m_found.size() + 1; count != m_found.size();) {
+            count = m_found.size();
+            for (const auto& [part, carrier] : lying)
+                if (isFound(*carrier) && !isFound(*part)) add(*part, *carrier);
+        }
+        return std::move(m_found);
+    }
+
+  private:
+    /// Returns the smallest stray part that a part lies on, and the held one beside it does not: that would
+    /// be the ground of both.
+    const MeshPart* carrierOf(const MeshPart& part, const MeshPart& held) const {
+        const MeshPart* smallest = nullptr;
+        for (const MeshPart* other : m_stray) {
+            const double area = areaOf(m_rest, *other);
+            if (area > areaOf(m_rest, part) && (!smallest || area < areaOf(m_rest, *smallest)) &&
+                liesOn(m_rest, part, *other) && !liesOn(m_rest, held, *other))
+                smallest = other;
+        }
+        return smallest;
+    }
+    bool isFound(const MeshPart& part) const {
+        return std::ranges::find(m_found, part.name, &StrayPart::name) != m_found.end();
+    }
+    void add(const MeshPart& part, const MeshPart& host) {
+        if (mayRide(m_parts, placeOf(part), placeOf(host))) m_found.push_back({part.name, host.name});
+    }
+    int placeOf(const MeshPart& part) const {
+        return static_cast<int>(std::ranges::find(m_parts, part.name, &PicturePart::name) - m_parts.begin());
+    }
+
+    const std::vector<PicturePart>& m_parts;
+    const SimplicialMesh<2>& m_rest;
+    std::vector<const MeshPart*> m_stray, m_held;
+    std::vector<StrayPart> m_found;
+};
+
+/// Islands of a picture without parts.
+std::vector<StrayPart> islandsOf(const SimplicialMesh<2>& rest, HeldPieces& pieces) {
+    std::map<int, SimplicialMesh<2>> islands;
+    for (int c = 0; c < rest.cellCount(); ++c) {
+        if (pieces.isHeld(c)) continue;
+        SimplicialMesh<2>& island = islands[pieces.rootOfCell(c)];
+        island.points = rest.points;
+        island.cells.push_back(rest.cells[static_cast<std::size_t>(c)]);
+        if (islands.size() > kMostIslands) return {};
+    }
+    std::vector<StrayPart> found;
+    for (const auto& [root, island] : islands) found.push_back({{}, {}, {boundaryLoops(island)}});
+    return found;
+}
+
 }  // namespace
 
 void makePart(ShapeSession& session, const Outline& area) {
@@ -144,6 +295,42 @@ bool makePartOfOutline(ShapeSession& session) {
     domain.outline = document.picture()->alpha ? OutlineKind::Alpha : OutlineKind::Frame;
     make(session, area, *before);
     return true;
+}
+
+std::vector<StrayPart> strayParts(const ShapeSession& session) {
+    const auto frame = session.frame<2>();
+    const Document& document = session.document();
+    if (!frame || document.isEmpty() || document.domain().kind != DomainKind::Image) return {};
+    HeldPieces pieces(session, *frame->rest);
+    if (!pieces.isAnyHeld()) return {};
+    const std::vector<PicturePart>& parts = document.domain().parts;
+    return parts.empty() ? islandsOf(*frame->rest, pieces) : StrayFinder(parts, *frame->rest, pieces).find();
+}
+
+std::shared_ptr<const Project> withRiders(const Project& project, const std::vector<StrayPart>& strays) {
+    auto next = copyOf(project);
+    std::vector<PicturePart>& parts = domainOf(*next).parts;
+    if (parts.empty()) {
+        PicturePart& whole = parts.emplace_back();
+        whole.path = std::exchange(domainOf(*next).path, {});
+        whole.name = QFileInfo(QString::fromStdString(whole.path)).completeBaseName().toStdString();
+    }
+    const std::string whole = parts.back().name;
+    int count = 0;
+    for (const StrayPart& stray : strays) {
+        if (!stray.name.empty()) {
+            std::ranges::find(parts, stray.name, &PicturePart::name)->ridesOn = stray.host;
+            continue;
+        }
+        PicturePart island;
+        do island.name = QCoreApplication::translate("PartMaking", "Part %1").arg(++count).toStdString();
+        while (std::ranges::find(parts, island.name, &PicturePart::name) != parts.end());
+        island.cutFrom = island.ridesOn = whole;
+        island.cut = stray.island;
+        island.outline = PartOutline{OutlineKind::Alpha, {}, {}};
+        parts.insert(parts.end() - 1, std::move(island));
+    }
+    return next;
 }
 
 }  // namespace wend

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "app/project/project_fwd.h"
 #include "core/meshing/outline.h"
 
 namespace wend {
@@ -14,5 +18,18 @@ void makePart(ShapeSession& session, const Outline& area);
 /// The same for what the user has drawn as the outline of a picture; the rest of the picture becomes the
 /// ground. Returns false if nothing is drawn.
 bool makePartOfOutline(ShapeSession& session);
+
+/// A piece of a picture without a pin, where other pieces have pins: it stays in place when they move.
+struct StrayPart {
+    std::string name;     // of a part of the picture; empty: it is an island of a picture without parts
+    std::string host;     // the part that it could follow; empty: the rest of the picture
+    Outline island = {};  // its border at rest
+};
+
+/// Returns them, without parts that cannot follow another one or are larger; none if nothing is held.
+std::vector<StrayPart> strayParts(const ShapeSession& session);
+
+/// Returns a project in which they follow their hosts; islands are cut out as parts of their own.
+std::shared_ptr<const Project> withRiders(const Project& project, const std::vector<StrayPart>& strays);
 
 }  // namespace wend

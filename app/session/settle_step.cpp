@@ -5,6 +5,7 @@
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/project/project.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 
@@ -13,13 +14,12 @@ bool canSettle(const Document& document) {
            std::isfinite(settingOf(document, "material.memory"));
 }
 
-void settleAtEnd(ShapeSession& session) {
-    Document& document = session.document();
+void settleAtEnd(Document& document, Playback& playback) {
     if (!canSettle(document)) return;
     Project next = *document.project();
     appendSettling(next, motionEnd(next));
     document.change(ShapeSession::tr("Relax"), std::move(next));
-    session.playback().setTime(session.playback().end());
+    playback.setTime(playback.end());
 }
 
 }  // namespace wend

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 
 /// Returns whether there is a moved shape that can relax. An elastic one is relaxed at all times.
 bool canSettle(const Document& document);
 /// Appends a relaxation to the motion in one undo step and moves the time to its end.
-void settleAtEnd(ShapeSession& session);
+void settleAtEnd(Document& document, Playback& playback);
 
 }  // namespace wend

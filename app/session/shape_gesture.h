@@ -39,25 +39,42 @@ class ShapeGesture : public QObject {
     /// Returns the handles that are not locked, and emits a notice about locked ones.
     std::vector<int> unlocked(std::vector<int> handles);
 
+    /// Makes every following drag record.
     void setRecording(bool records) { m_records = records; }
+    /// Makes every following drag and step of the arrow keys set where the handles are at the shown time,
+    /// while what they do before and after stays (see withPose()); at the end the film becomes longer.
     void setPosing(bool poses) { m_poses = poses; }
+    /// Decides what a drag does that directly follows one of the same pins at the end of the film: it leads
+    /// them on, or else it replaces that move by a straight one to the new place.
     void setKeepsWay(bool keeps) { m_keepsWay = keeps; }
-    void begin(const Grip& grip, bool records);
-    void moveBy(const Amount& amount, double seconds);
+    /// Begins a drag of the selected and linked handles that act at the shown time and are not locked; emits
+    /// a notice if there are none. The gesture replaces the later motion. If it `records`, it keeps the times
+    /// of its samples and replaces only the later motion of its own handles.
+    void begin(const Grip& grip = {}, bool records = false);
+    void moveBy(const Amount& amount, double seconds = 0);
+    /// Ends the drag and keeps its path within the tolerance.
     void end(double tolerance);
+    /// Ends the drag and keeps the straight path to its end, which was given as a number.
     void endStraight();
     void cancel();
+    /// Ends the drag without a change; the reached pose is shown until the motion of a coming project is
+    /// computed.
     void letGo();
     /// Forgets the drag without signals, for another file.
     void drop();
 
     void nudge(const Vec3& by);
+    /// Performs a whole gesture at once, for typed numbers.
     void moveAtOnce(const Grip& grip, const Amount& amount);
+    /// Moves the selection along a Bézier chain from its first point. Within the film it lasts until the end
+    /// and replaces only the motion of its own handles; at the end it is appended like a drag.
     void followCurve(const std::vector<Vec3>& points);
 
   signals:
+    /// Emitted for drag(), which another session may follow.
     void began();
     void moved(const wend::Amount& amount);
+    /// Emitted before the document changes.
     void ended();
     void cancelled();
     void pinsChanged();

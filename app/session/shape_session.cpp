@@ -17,10 +17,6 @@ ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_motion, &ShapeMotion::within, this, &ShapeSession::within);
     connect(&m_motion, &ShapeMotion::notice, this, &ShapeSession::notice);
     connect(&m_motion, &ShapeMotion::problem, this, &ShapeSession::problem);
-    connect(&m_gesture, &ShapeGesture::began, this, &ShapeSession::dragBegan);
-    connect(&m_gesture, &ShapeGesture::moved, this, &ShapeSession::dragMoved);
-    connect(&m_gesture, &ShapeGesture::ended, this, &ShapeSession::dragEnded);
-    connect(&m_gesture, &ShapeGesture::cancelled, this, &ShapeSession::dragCancelled);
     connect(&m_gesture, &ShapeGesture::pinsChanged, this, &ShapeSession::pinsChanged);
     connect(&m_gesture, &ShapeGesture::notice, this, &ShapeSession::notice);
 }
@@ -40,7 +36,7 @@ void ShapeSession::reset() {
 
 void ShapeSession::takeProject() {
     if (m_document.isEmpty()) return;
-    cancelDrag();  // undo during the drag: its handles may no longer exist
+    m_gesture.cancel();  // undo during the drag: its handles may no longer exist
     m_selection.prune();
     m_motion.compute();
     emit pinsChanged();
@@ -48,7 +44,7 @@ void ShapeSession::takeProject() {
 
 void ShapeSession::cancelWork() {
     if (!isBusy()) return;
-    cancelDrag();
+    m_gesture.cancel();
     m_motion.cancelWork();
 }
 

@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "app/engine/motion/playback.h"
+#include "app/session/pins.h"
 #include "app/session/selection.h"
 #include "app/session/shape_gesture.h"
 #include "app/session/shape_motion.h"
-#include "app/session/shown_pins.h"
 
 namespace wend {
 
@@ -101,49 +101,16 @@ class ShapeSession : public QObject {
     bool isLocked(int handle) const { return m_pins.isLocked(handle); }
     /// The name of one pin, or how many they are.
     QString nameOf(const std::vector<int>& handles) const { return m_pins.nameOf(handles); }
-    void nudgeSelected(const Vec3& by) { m_gesture.nudge(by); }
-    /// Performs a whole gesture at once, for typed numbers.
-    void moveSelected(const Grip& grip, const Amount& amount) { m_gesture.moveAtOnce(grip, amount); }
-    /// Moves the selection along a Bézier chain from its first point. Within the film it lasts until the end
-    /// and replaces only the motion of its own handles; at the end it is appended like a drag.
-    void followCurve(const std::vector<Vec3>& points) { m_gesture.followCurve(points); }
+    /// How the selected handles are moved.
+    ShapeGesture& gestures() { return m_gesture; }
+    const ShapeGesture& gestures() const { return m_gesture; }
     bool isDragging() const { return m_gesture.drag(); }
-    /// Begins a drag of the selected and linked handles that act at the shown time and are not locked; emits
-    /// a notice if there are none. The gesture replaces the later motion. If it `records`, it keeps the times
-    /// of its samples and replaces only the later motion of its own handles.
-    void beginDrag(const Grip& grip = {}, bool records = false) { m_gesture.begin(grip, records); }
-    void dragBy(const Amount& amount, double seconds = 0) { m_gesture.moveBy(amount, seconds); }
-    /// Makes every following drag record.
-    void setRecording(bool records) { m_gesture.setRecording(records); }
-    /// Makes every following drag and step of the arrow keys set where the handles are at the shown time,
-    /// while what they do before and after stays (see withPose()); at the end the film becomes longer.
-    void setPosing(bool poses) { m_gesture.setPosing(poses); }
-    /// Decides what a drag does that directly follows one of the same pins at the end of the film: it leads
-    /// them on, or else it replaces that move by a straight one to the new place.
-    void setKeepsWay(bool keeps) { m_gesture.setKeepsWay(keeps); }
-    /// Ends the drag and keeps its path within the tolerance.
-    void endDrag(double tolerance) { m_gesture.end(tolerance); }
-    /// Ends the drag and keeps the straight path to its end, which was given as a number.
-    void endDragStraight() { m_gesture.endStraight(); }
-    void cancelDrag() { m_gesture.cancel(); }
-    /// Ends the drag without a change; the reached pose is shown until the motion of a coming project is
-    /// computed.
-    void letGo() { m_gesture.letGo(); }
-    /// Returns the current gesture, or null.
-    const DragGesture* gesture() const { return m_gesture.drag(); }
-
     /// Shows a line in the status bar: what could not be done, and where.
     void notify(const QString& text) { emit notice(text); }
 
   signals:
     void frameChanged();
     void pinsChanged();
-    /// Emitted for the drag of gesture(), which another session may follow.
-    void dragBegan();
-    void dragMoved(const wend::Amount& amount);
-    /// Emitted before the document changes.
-    void dragEnded();
-    void dragCancelled();
     void busyChanged(bool busy);
     /// Emitted with the time up to which the motion is computed.
     void progress(double time, double end);

@@ -5,9 +5,22 @@
 #include <cmath>
 
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
 
 namespace wend {
+
+namespace {
+
+double chosen = 1;
+
+}  // namespace
+
+double markSize() {
+    return chosen;
+}
+
+void setMarkSize(double factor) {
+    chosen = factor;
+}
 
 const std::array<QColor, 8>& pinColours() {
     static const std::array<QColor, 8> kColours = {QColor(0x2e77ae), QColor(0xd9822b), QColor(0x0b7a5b),

@@ -9,6 +9,18 @@
 
 namespace wend {
 
+struct PinTraits;
+
+/// Scale of all marks over a shape (pins, rings, curves, arrows, labels, tool lines) and of their hit areas.
+/// Chosen by the user for all views.
+double markSize();
+void setMarkSize(double factor);
+
+/// A length of a mark, given in pixels of the screen for the usual size.
+inline double marked(double pixels) {
+    return pixels * markSize();
+}
+
 inline constexpr double kPinRadius = 6.5;
 /// Opacity of covered pins, stiffness marks and faulty triangles.
 inline constexpr double kCoveredOpacity = 0.4;
@@ -22,7 +34,7 @@ const std::array<QColor, 8>& pinColours();
 QColor pinColour(int handle, const PinTraits& traits);
 
 /// Marks over pictures and solids, in widget coordinates, with a light rim so that they show on any
-/// background. The user sets their size, see mark_size.h.
+/// background. The user sets their size, see markSize().
 class Marks {
   public:
     explicit Marks(QPainter& painter) : m_painter(painter) {}

@@ -31,7 +31,7 @@ void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool 
 
 void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at) {
     if (!isRecording(session)) return;
-    const double seconds = session.gesture()->seconds() * session.playback().speed();
+    const double seconds = session.gestures().drag()->seconds() * session.playback().speed();
     const QString text =
         QCoreApplication::translate("Recording", "%1 s").arg(QLocale().toString(seconds, 'f', 1));
     enlarged(painter, at, [&] {

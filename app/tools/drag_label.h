@@ -4,7 +4,7 @@
 #include <QPainter>
 
 #include "app/session/shape_session.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 
@@ -28,7 +28,7 @@ inline double secondsOf(const QMouseEvent& event) {
 
 /// Returns whether the current drag records.
 inline bool isRecording(const ShapeSession& session) {
-    return session.gesture() && session.gesture()->records();
+    return session.gestures().drag() && session.gestures().drag()->records();
 }
 /// Draws a red dot with the duration of the recording, if there is one.
 void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at);

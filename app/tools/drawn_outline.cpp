@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/pin_settings.h"
 #include "app/tools/tool.h"
 

@@ -1,6 +1,6 @@
 #include "app/tools/key_cross.h"
 
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

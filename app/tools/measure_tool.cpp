@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/project/domain.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

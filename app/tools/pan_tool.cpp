@@ -1,6 +1,6 @@
-#include "app/tools/pan_tool.h"
-
 #include <QCoreApplication>
+
+#include "app/tools/tool_kinds.h"
 
 namespace wend {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 
 namespace wend {

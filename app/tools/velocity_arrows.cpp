@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

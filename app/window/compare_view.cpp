@@ -10,8 +10,13 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/engine/shape/shape.h"
+#include "app/engine/shape/shape_builder.h"
+#include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/project/domain.h"
 #include "app/project/edits/material_edits.h"
+#include "app/project/options/options.h"
 #include "app/project/options/settings.h"
 #include "app/style/energy_scale.h"
 #include "app/style/theme.h"
@@ -46,7 +51,81 @@ QString totalsOf(const ShapeSession& session) {
     return all.arg(text(distortion.totalAngle), text(distortion.totalVolume), text(distortion.totalMetric));
 }
 
+constexpr int kIdle = 500;  // milliseconds
+constexpr int kVertices = 600;
+constexpr double kTileMargin = 2;  // pixels
+
 }  // namespace
+
+Comparison::Comparison(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+    m_other.document().undoStack()->setUndoLimit(1);
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        end();
+        m_generation = -1;
+        m_other.document().close();
+    });
+    connect(&m_session.document(), &Document::projectChanged, this, &Comparison::take);
+    connect(&m_session.playback(), &Playback::timeChanged, &m_other.playback(), &Playback::setTime);
+    connect(&m_session.selection(), &Selection::changed, this, &Comparison::takeSelection);
+    const ShapeGesture* gestures = &m_session.gestures();
+    ShapeGesture& others = m_other.gestures();
+    connect(gestures, &ShapeGesture::began, this, [this, gestures, &others] {
+        if (!m_on) return;
+        m_other.selection().set(gestures->drag()->handles());
+        others.begin(gestures->drag()->grip());
+    });
+    connect(gestures, &ShapeGesture::moved, &others,
+            [&others](const Amount& amount) { others.moveBy(amount); });
+    connect(gestures, &ShapeGesture::ended, &others, &ShapeGesture::letGo);
+    connect(gestures, &ShapeGesture::cancelled, &others, &ShapeGesture::cancel);
+}
+
+void Comparison::begin(std::optional<double> phi) {
+    if (m_session.document().isEmpty()) return;
+    m_phi = phi;
+    m_on = true;
+    take();
+    emit changed();
+}
+
+void Comparison::end() {
+    if (std::exchange(m_on, false)) emit changed();
+}
+
+FramePtr Comparison::frame() const {
+    return m_on && !m_other.isStale() && !m_other.isMeshing() ? m_other.frame() : FramePtr();
+}
+
+std::shared_ptr<const Project> Comparison::wanted() const {
+    const auto project = copyOf(*m_session.document().project());
+    if (m_phi)
+        option("material.phi").field.at.set(*project, *m_phi);
+    else
+        designOf(*project) = withoutCells(withAllHidden(designOf(*project)));
+    return project;
+}
+
+void Comparison::take() {
+    if (!m_on) return;
+    const Document& document = m_session.document();
+    if (std::exchange(m_generation, document.generation()) == document.generation()) {
+        m_other.document().change({}, wanted());
+    } else {
+        OpenedFile file;
+        file.project = wanted();
+        file.picture = document.picture();
+        file.path = document.path();
+        file.source = document.source();
+        m_other.document().open(std::move(file));
+    }
+    m_other.playback().setTime(m_session.playback().time());
+    takeSelection();
+}
+
+/// Copies the selection, which decides whose influence a map shows.
+void Comparison::takeSelection() {
+    if (m_on) m_other.selection().set(m_session.selection().handles());
+}
 
 CompareView::CompareView(const Parts& parts, QWidget* parent)
     : QWidget(parent),
@@ -269,6 +348,119 @@ void CompareView::showOtherHalf() {
         m_solid->viewport().set(&Looks::standIn, own);
         m_solid->takeView(*m_parts.solid());
     }
+}
+
+TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
+                           std::function<SolidCanvas*()> solid, EnergySlider& tiles)
+    : QObject(&tiles), m_session(session), m_canvas(picture), m_solid(std::move(solid)), m_tiles(tiles) {
+    m_coarse.document().undoStack()->setUndoLimit(1);
+    m_idle.setSingleShot(true);
+    m_idle.setInterval(kIdle);
+    connect(&m_idle, &QTimer::timeout, this, &TilePictures::begin);
+    connect(&m_session, &ShapeSession::frameChanged, this, &TilePictures::expire);
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        m_coarse.document().close();
+        m_project.reset();
+        m_tiles.setPictures({});
+        expire();
+    });
+    connect(&m_coarse, &ShapeSession::busyChanged, this, &TilePictures::take);
+}
+
+/// There is no coarser mesh for a mesh from a file.
+bool TilePictures::isPossible() const {
+    if (m_session.document().isEmpty() || !m_session.frame() || m_session.playback().end() <= 0) return false;
+    const DomainKind kind = m_session.document().domain().kind;
+    return (kind == DomainKind::Image && m_session.document().picture()) ||
+           (kind == DomainKind::Surface && m_solid());
+}
+
+void TilePictures::expire() {
+    const bool same = m_project == m_session.document().project() && m_time == m_session.playback().time();
+    if (same && (m_done || m_running)) return;
+    m_running = m_done = false;
+    if (!isPossible()) {
+        m_idle.stop();
+        return m_tiles.setPictures({});
+    }
+    m_tiles.setPicturesStale(true);
+    m_idle.start();
+}
+
+void TilePictures::begin() {
+    if (!isPossible() || m_running) return;
+    const bool moves = m_session.isBusy() || m_session.isDragging() || m_session.playback().isPlaying();
+    const bool flat = m_session.document().dimension() == 2;
+    if (moves || !m_tiles.isVisible() || (flat && !m_canvas.screenPicture())) return m_idle.start();
+    m_project = m_session.document().project();
+    m_time = m_session.playback().time();
+    m_made.clear();
+    m_running = true;
+    ask();
+}
+
+/// Requests the next picture.
+void TilePictures::ask() {
+    const auto project = copyOf(*m_project);
+    Domain& domain = domainOf(*project);
+    const auto set = [&](const char* key, double value) { option(key).field.at.set(*project, value); };
+    set("material.phi", m_tiles.scale().stops().at(m_made.size()).phi);
+    set("domain.vertices", std::min(domain.edge > 0 ? kVertices : domain.vertices, kVertices));
+    if (domain.kind == DomainKind::Surface) domain.fit = Fit::Cage;
+    Document& document = m_coarse.document();
+    if (!document.isEmpty()) {
+        document.change({}, project);
+    } else {
+        const Document& own = m_session.document();
+        OpenedFile file;
+        file.project = project;
+        file.picture = own.picture();
+        file.path = own.path();
+        file.source = own.source();
+        document.open(std::move(file));
+    }
+    m_coarse.playback().setTime(m_time);
+}
+
+void TilePictures::take() {
+    if (!m_running || m_coarse.isBusy()) return;
+    if (!m_coarse.frame()) {  // failed: the window reports it
+        m_running = false;
+        m_done = true;
+        return m_tiles.setPictures({});
+    }
+    m_made.push_back(drawn(m_coarse.frame()));
+    if (m_made.size() < EnergyScale::kStops) return ask();
+    m_running = false;
+    m_done = true;
+    m_tiles.setPictures(m_made);
+}
+
+QPixmap TilePictures::drawn(const FramePtr& frame) {
+    return frame->dimension == 2 ? drawnFlat(frame) : drawnSolid(static_cast<const PosedFrame<3>&>(*frame));
+}
+
+/// Draws from the view's direction.
+QPixmap TilePictures::drawnSolid(const PosedFrame<3>& frame) {
+    const double ratio = m_tiles.devicePixelRatioF();
+    QPixmap picture = QPixmap::fromImage(m_view.draw(*m_solid(), frame, EnergySlider::pictureSize() * ratio));
+    picture.setDevicePixelRatio(ratio);
+    return picture;
+}
+
+QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
+    RenderRequest request;
+    request.frame = posed<2>(frame);
+    request.picture = m_canvas.screenPicture();
+    if (request.frame->built) request.texture = request.frame->built->texture;
+    request.size = EnergySlider::pictureSize();
+    request.ratio = m_tiles.devicePixelRatioF();
+    request.filter = Filter::Ewa;
+    const Points<2>& pose = request.frame->pose;
+    const Vec<2> low = pose.rowwise().minCoeff(), size = pose.rowwise().maxCoeff() - low;
+    request.view.setZoomLimits(1e-9, 1e9);
+    request.view.fit(QRectF(low.x(), low.y(), size.x(), size.y()), request.size, kTileMargin);
+    return QPixmap::fromImage(RenderThread::render(request));
 }
 
 }  // namespace wend

@@ -1,16 +1,25 @@
 #include "app/window/main_window.h"
 
 #include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QKeyEvent>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStatusTipEvent>
+#include <QStyleFactory>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <clocale>
 
 #include "app/panels/distortion_panel.h"
+#include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/panel_fields.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/group_list.h"
@@ -21,28 +30,28 @@
 #include "app/panels/region_list.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/session/opening.h"
 #include "app/session/part_making.h"
+#include "app/style/theme.h"
 #include "app/views/canvas/canvas.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/actions/appearance_choice.h"
 #include "app/window/actions/brush_actions.h"
-#include "app/window/actions/context_menu.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/depth_actions.h"
 #include "app/window/actions/language_choice.h"
+#include "app/window/actions/look_choices.h"
+#include "app/window/actions/menus.h"
 #include "app/window/actions/picture_actions.h"
 #include "app/window/actions/pin_actions.h"
-#include "app/window/actions/space_tap.h"
 #include "app/window/actions/toolbox.h"
+#include "app/window/actions/watched_keys.h"
 #include "app/window/compare_view.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/material_actions.h"
 #include "app/window/files/file_workflow.h"
-#include "app/window/files/motion_chooser.h"
-#include "app/window/files/opening_note.h"
-#include "app/window/files/picture_keeper.h"
 #include "app/window/files/start_page.h"
+#include "app/window/files/taken_over.h"
 #include "app/window/files/thumbnail.h"
 #include "app/window/film/film_controls.h"
 #include "app/window/film/time_strip.h"
@@ -51,17 +60,11 @@
 #include "app/window/help/tutorial.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/offers.h"
-#include "app/window/notices/problem_remedies.h"
-#include "app/window/notices/riding_offer.h"
-#include "app/window/notices/shape_notices.h"
-#include "app/window/notices/spring_offer.h"
 #include "app/window/notices/work_note.h"
 #include "app/window/properties.h"
-#include "app/window/properties_rail.h"
 #include "app/window/solid_workshop.h"
 #include "app/window/status_fields.h"
-#include "app/window/toolbar/mode_row.h"
-#include "app/window/toolbar/option_row.h"
+#include "app/window/toolbar/rows.h"
 #include "app/window/view_looks.h"
 #include "app/window/workspace.h"
 
@@ -88,7 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_tracks(new TrackView(m_session)),
       m_pages(new QStackedWidget),
       m_work(new WorkNote(m_session, *m_pages)),
-      m_tutorial(new Tutorial({m_session, *m_actions, *m_tools}, *m_pages)),
+      m_tutorial(new Tutorial({m_session.document(), m_session.playback(), *m_actions, *m_tools}, *m_pages)),
       m_appearance(new AppearanceChoice(*m_actions, *this)) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
@@ -351,7 +354,7 @@ void MainWindow::connectViewport(Viewport& view) {
 }
 
 void MainWindow::connectHelp() {
-    new SideWindows(m_session, *m_actions, *m_tools, *this);
+    new SideWindows(m_session.document(), *m_actions, *m_tools, *this);
     connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
     connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
     m_files->setPractice([this] { return m_tutorial->isPractice(); });
@@ -413,6 +416,112 @@ void MainWindow::updateIcons() {
         maker->setIcons(palette());
     m_modes->exportButton()->setIcon(wendIcon(QStringLiteral("export"), primaryPalette(palette())));
     showMoreArrows();
+}
+
+bool MainWindow::event(QEvent* event) {
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    m_fields->showTip(static_cast<QStatusTipEvent*>(event)->tip());
+    return true;
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_rail->fitTo(width());
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::WindowStateChange) m_actions->fullScreen->setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
+}
+
+/// Escape, where nothing else has a use for it, gives the keyboard back to the view.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
+    focusView();
+}
+
+/// Focuses the shape, or the start page.
+void MainWindow::focusView() {
+    m_pages->currentWidget()->setFocus();
+}
+
+/// Moves the focus to the view when the focused widget is hidden: Qt would choose an arbitrary one.
+void MainWindow::followFocus(const QWidget* from, const QWidget* to) {
+    if (isAncestorOf(from) && isAncestorOf(to) && !from->isVisibleTo(this)) focusView();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_files->mayLeave());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (EnergySlider::phiIn(event->mimeData())) return event->acceptProposedAction();
+    const QString path =
+        event->mimeData()->hasUrls() ? event->mimeData()->urls().first().toLocalFile() : QString();
+    if (!mayBeOpened(path)) return;
+    event->acceptProposedAction();
+    m_start->setDropHighlighted(true);
+    const auto count = event->mimeData()->urls().size();
+    m_fields->showTip(count > 1 ? tr("Let go to open %n pictures as parts", nullptr, static_cast<int>(count))
+                                : tr("Let go to open “%1”").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_start->setDropHighlighted(false);
+    m_fields->showTip({});
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (const auto phi = EnergySlider::phiIn(event->mimeData())) {
+        const QPoint at = m_compare->mapFrom(this, event->position().toPoint());
+        if (m_compare->rect().contains(at)) m_compare->split(*phi);
+        return;
+    }
+    m_start->setDropHighlighted(false);
+    m_fields->showTip({});
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls()) paths << url.toLocalFile();
+    m_files->openAll(paths);
+    event->acceptProposedAction();
+}
+
+void MainWindow::showTitle() {
+    const Document& document = m_session.document();
+    setWindowTitle(document.isEmpty() ? QStringLiteral("Wend[*]")
+                                      : tr("%1[*] – Wend").arg(document.displayName()));
+    setWindowModified(document.isModified());
+}
+
+/// Styles the button that Qt adds to a tool bar that is too short.
+void MainWindow::showMoreArrows() {
+    for (QToolBar* bar : {m_topBar, m_toolBar})
+        if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+            const bool down = bar->orientation() == Qt::Vertical;
+            more->setIcon(
+                wendIcon(down ? QStringLiteral("more-down") : QStringLiteral("more-right"), palette()));
+            more->setToolTip(tr("More"));
+            more->setAccessibleName(tr("More"));
+        }
+}
+
+int runWindow(int argc, char** argv) {
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, but files have points in every country
+    QApplication::setOrganizationName(QStringLiteral("Wend"));
+    QApplication::setApplicationName(QStringLiteral("Wend"));
+    QApplication::setApplicationVersion(QStringLiteral(WEND_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("wend"));
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/wend/icons/wend.svg")));
+    const SpokenLanguage language;
+    MainWindow window;
+    window.files().guardWork(Recovery::standardFolder());
+    window.show();
+    if (const QString file = QApplication::arguments().value(1); !file.isEmpty()) {
+        window.files().tellLostWhenOpened();
+        window.openPath(file);
+    }
+    return QApplication::exec();
 }
 
 }  // namespace wend

@@ -16,9 +16,6 @@ class CompareView;
 class ContextMenu;
 class CurveActions;
 class DepthActions;
-class PictureActions;
-class PinActions;
-class ShapeCanvas;
 class DistortionPanel;
 class Exporter;
 class FileWorkflow;
@@ -27,15 +24,18 @@ class MaterialActions;
 class MaterialPanel;
 class ModeRow;
 class OptionRow;
+class PictureActions;
+class PinActions;
 class Properties;
 class PropertiesRail;
+class ShapeCanvas;
 class SolidActions;
 class SolidWorkshop;
 class StartPage;
 class StatusFields;
 class TimeStrip;
-class TrackView;
 class Toolbox;
+class TrackView;
 class Tutorial;
 class Viewport;
 class WorkNote;
@@ -133,5 +133,8 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<Workspace> m_workspace;
     AppearanceChoice* m_appearance;
 };
+
+/// Opens the window, with the file that the first argument names, if any; returns the program's exit code.
+int runWindow(int argc, char** argv);
 
 }  // namespace wend

@@ -21,7 +21,7 @@
 #include "app/window/export/picture_dialog.h"
 #include "app/window/export/save_dialog.h"
 #include "app/window/export/view_picture.h"
-#include "app/window/files/detail_chooser.h"
+#include "app/window/files/taken_over.h"
 #include "app/window/properties.h"
 #include "app/window/surface/surface_check.h"
 #include "app/window/view_looks.h"

@@ -6,12 +6,11 @@
 #include "app/views/canvas/canvas.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/actions/backdrop_choice.h"
-#include "app/window/actions/held_key.h"
+#include "app/window/actions/look_choices.h"
+#include "app/window/actions/watched_keys.h"
 #include "app/window/compare_view.h"
 #include "app/window/properties.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/tile_pictures.h"
 
 namespace wend {
 

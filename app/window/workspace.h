@@ -1,10 +1,12 @@
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <map>
+#include <optional>
 
+#include "app/panels/distortion_panel.h"
 #include "app/session/brush.h"
-#include "app/views/canvas/paint_map.h"
 #include "app/window/actions/tool_table.h"
 
 namespace wend {
@@ -17,6 +19,27 @@ class ShapeCanvas;
 class SolidWorkshop;
 class Toolbox;
 class Viewport;
+
+/// Shows the map of the painted property while a brush is active, and restores the earlier map afterwards,
+/// unless the user has chosen another one. A map that the user switched off stays off.
+class PaintMap {
+  public:
+    PaintMap(DistortionPanel& panel, QAction& showMap);
+    void show(Measure wanted);
+    void end();
+
+  private:
+    struct Before {
+        Measure measure;
+        bool shown;
+    };
+    DistortionPanel& m_panel;
+    QAction& m_showMap;
+    std::optional<Before> m_before;  // while painting
+    Measure m_painted = Measure::Phi;
+    bool m_isChosen = false;  // the map that is shown, by the user
+    QObject m_listener;
+};
 
 /// Connects the active tool with the view of the open document. Tools are made on first use.
 class Workspace : public QObject {

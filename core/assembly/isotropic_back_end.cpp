@@ -1,6 +1,7 @@
 #include "core/assembly/isotropic_back_end.h"
 
 #include "core/assembly/block_kernels.h"
+#include "core/assembly/corner_lists.h"
 #include "core/assembly/cpu_back_end.h"
 #include "core/assembly/isotropic_kernels.h"
 #include "core/energy/smoothness.h"
@@ -37,7 +38,6 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
   private:
     void prepareCells(const SimplicialMesh<Dim>& rest, const Material<Dim>& material);
     void prepareFacets();
-    void listCorners();
     void listContributions();
     void connect();
     isotropic::Jump kindOfJump() const;
@@ -68,9 +68,8 @@ class IsotropicBackEnd final : public BackEnd<Dim> {
     isotropic::Cells<Dim> m_cells;
     isotropic::Facets<Dim> m_facetArrays;
 
-    std::vector<int> m_sumStart,
-        m_sumCorners;  // of the plan's corners, each vertex's as a multiple of kPadding
-    std::vector<double> m_force, m_massRegularization;
+    CornerLists<Dim> m_corners;
+    std::vector<double> m_massRegularization;
     // The assembly needs the contributions of every block in one list.
     std::vector<int> m_start;
     std::vector<Contribution> m_contributions;
@@ -84,10 +83,10 @@ IsotropicBackEnd<Dim>::IsotropicBackEnd(std::shared_ptr<const Plan> plan, const 
       m_smoothing(material.smoothing),
       m_pool(usefulThreads(threads, Dim * rest.vertexCount())),
       m_cellCount(m_plan->cellCount()),
-      m_facetCount(static_cast<int>(m_plan->facets.size())) {
+      m_facetCount(static_cast<int>(m_plan->facets.size())),
+      m_corners(*m_plan) {
     prepareCells(rest, material);
     prepareFacets();
-    listCorners();
     connect();
 }
 
@@ -116,20 +115,6 @@ void IsotropicBackEnd<Dim>::prepareCells(const SimplicialMesh<Dim>& rest, const 
     m_dilation.assign(n * kCorners, 0.0);
     m_tensor.resize(n * 4);
     if (Dim == 3) m_tensorRest.resize(n * 2);
-    m_force.resize((n * kCorners + 1) * kPoint);
-}
-
-/// Each vertex's list ends with the corner after all others, whose force stays 0.
-template <int Dim>
-void IsotropicBackEnd<Dim>::listCorners() {
-    m_sumStart.push_back(0);
-    for (int p = 0; p < m_plan->vertexCount; ++p) {
-        m_sumCorners.insert(m_sumCorners.end(), m_plan->corners.begin() + m_plan->cornerStart[p],
-                            m_plan->corners.begin() + m_plan->cornerStart[p + 1]);
-        m_sumCorners.resize(isotropic::padded(static_cast<int>(m_sumCorners.size())),
-                            isotropic::padded(m_cellCount) * kCorners);
-        m_sumStart.push_back(static_cast<int>(m_sumCorners.size()));
-    }
 }
 
 /// Copies the facets of the plan to structures of arrays. Entries beyond the last facet repeat it.
@@ -200,11 +185,10 @@ void IsotropicBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
         isotropic::tensors<Dim>(m_jump, m_cells, begin, end, v.data());
     });
     m_pool.forPieces(m_cellCount, kPlanGrain, [&](int begin, int end) {
-        isotropic::forces<Dim>(m_jump, m_cells, begin, end, m_force.data());
+        isotropic::forces<Dim>(m_jump, m_cells, begin, end, m_corners.force.data());
     });
     m_pool.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
-        isotropic::sumForces<Dim>(m_sumStart.data(), m_sumCorners.data(), m_force.data(), begin, end,
-                                  Av.data());
+        m_corners.sum(begin, end, Av.data());
         if (!m_massRegularization.empty())
             for (int p = begin; p < end; ++p) addMassTimes(v, p, Av);
     });

@@ -47,12 +47,36 @@ double beforeFirstRoot(const Bernstein<Dim>& b, int halvings) {
 template <int Dim>
 RestEnergy<Dim>::RestEnergy(std::shared_ptr<const AssemblyPlan<Dim>> plan, const SimplicialMesh<Dim>& rest,
                             const Material<Dim>& material)
-    : m_plan(std::move(plan)), m_anisotropy(material.anisotropy), m_force(rest.cells.size()) {
+    : m_plan(std::move(plan)), m_anisotropy(material.anisotropy), m_corners(*m_plan) {
     for (int c = 0; c < rest.cellCount(); ++c) {
         m_weights.push_back(EnergyWeights::of(material.phi[c]));
         m_restInverse.push_back(edgeMatrix<Dim>(rest.points, rest.cells[c]).inverse());
         m_measure.push_back(std::abs(cellMeasure<Dim>(rest.points, rest.cells[c])));
     }
+    if (isIsotropic()) prepareCells();
+}
+
+/// Fills the arrays of the kernels.
+template <int Dim>
+void RestEnergy<Dim>::prepareCells() {
+    const int count = m_plan->cellCount(), n = isotropic::padded(count);
+    m_hats.resize(static_cast<std::size_t>(n) * Dim * Dim);
+    m_tangent.resize(static_cast<std::size_t>(n) * rest::Cells<Dim>::kTangent);
+    for (int i = 0; i < n; ++i) {
+        const int c = std::min(i, count - 1);
+        m_vertices.insert(m_vertices.end(), m_plan->cells[c].begin(), m_plan->cells[c].end());
+        m_q.push_back(m_weights[c].q);
+        m_r.push_back(m_weights[c].r);
+        m_measures.push_back(i < count ? m_measure[c] : 0);
+        for (int k = 0; k < Dim; ++k)
+            for (int a = 0; a < Dim; ++a)
+                m_hats[static_cast<std::size_t>(k * Dim + a) * n + i] = m_restInverse[c](k, a);
+    }
+}
+
+template <int Dim>
+rest::Cells<Dim> RestEnergy<Dim>::cells() const {
+    return {m_plan->cellCount(), m_vertices.data(), m_q.data(), m_r.data(), m_measures.data(), m_hats.data()};
 }
 
 template <int Dim>
@@ -60,32 +84,49 @@ Mat<Dim> RestEnergy<Dim>::mapOf(const Points<Dim>& shape, int cell) const {
     return edgeMatrix<Dim>(shape, m_plan->cells[cell]) * m_restInverse[cell];
 }
 
+/// Returns the map of the shape of linearize().
+template <int Dim>
+Mat<Dim> RestEnergy<Dim>::tangentMap(int cell) const {
+    const auto n = static_cast<std::size_t>(isotropic::padded(m_plan->cellCount()));
+    Mat<Dim> F;
+    for (int a = 0; a < Dim; ++a)
+        for (int b = 0; b < Dim; ++b) F(a, b) = m_tangent[static_cast<std::size_t>(a * Dim + b) * n + cell];
+    return F;
+}
+
 template <int Dim>
 double RestEnergy<Dim>::energy(const Points<Dim>& shape) const {
+    if (isIsotropic()) return rest::energy<Dim>(cells(), 0, m_plan->cellCount(), shape.data());
     double sum = 0;
     for (int c = 0; c < m_plan->cellCount(); ++c)
         sum += m_measure[c] * restDensity<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c));
     return sum;
 }
 
+template <int Dim>
+void RestEnergy<Dim>::setForces(int cell, const Mat<Dim>& forces) {
+    constexpr int kPoint = rest::Cells<Dim>::kPoint;
+    double* const to = m_corners.force.data() + static_cast<std::ptrdiff_t>(cell) * kPoint * (Dim + 1);
+    for (int a = 0; a < Dim; ++a) {
+        to[a] = -forces.row(a).sum();
+        for (int k = 0; k < Dim; ++k) to[kPoint * (k + 1) + a] = forces(a, k);
+    }
+}
+
 /// Adds up the forces on the corners of every vertex.
 template <int Dim>
 void RestEnergy<Dim>::gather(Points<Dim>& sum, WorkerPool& workers) const {
     sum.resize(Dim, m_plan->vertexCount);
-    workers.forPieces(m_plan->vertexCount, kPlanGrain, [&](int begin, int end) {
-        for (int p = begin; p < end; ++p) {
-            Vec<Dim> total = Vec<Dim>::Zero();
-            for (int i = m_plan->cornerStart[p]; i < m_plan->cornerStart[p + 1]; ++i)
-                total += m_force[m_plan->corners[i] / (Dim + 1)].col(m_plan->corners[i] % (Dim + 1));
-            sum.col(p) = total;
-        }
-    });
+    workers.forPieces(m_plan->vertexCount, kPlanGrain,
+                      [&](int begin, int end) { m_corners.sum(begin, end, sum.data()); });
 }
 
-/// Sums ∂W/∂x_k = V₀ ∂w/∂F g_k with the hat gradients g_k at rest, the columns of E₀⁻ᵀ.
+/// Sums ∂W/∂x_k = V₀ ∂w/∂F h_k with the hat gradients h_k at rest, the columns of E₀⁻ᵀ.
 template <int Dim>
 void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers) {
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+        if (isIsotropic())
+            return rest::forces<Dim>(cells(), begin, end, shape.data(), m_corners.force.data());
         for (int c = begin; c < end; ++c)
             setForces(c, m_measure[c] * restStress<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c)) *
                              m_restInverse[c].transpose());
@@ -93,28 +134,33 @@ void RestEnergy<Dim>::gradient(const Points<Dim>& shape, Points<Dim>& gradient, 
     gather(gradient, workers);
 }
 
-/// Computes ∂²W/∂x_k ∂x_l, the exact one in closed form, others as V₀ Σ_m λ_m (M_m g_k)(M_m g_l)ᵀ over the
+/// Computes ∂²W/∂x_k ∂x_l, the exact one in closed form, others as V₀ Σ_m λ_m (M_m h_k)(M_m h_l)ᵀ over the
 /// modes M_m.
 template <int Dim>
+void RestEnergy<Dim>::linearizeCell(int cell, double negative, const Mat<Dim>& F) {
+    const Mat<Dim> hats = m_restInverse[cell].transpose();
+    if (negative == 1) {
+        m_hessian[cell] = m_measure[cell] * restHessian<Dim>(m_weights[cell], anisotropy(cell), F, hats);
+        return;
+    }
+    auto [values, modes] = restModes<Dim>(m_weights[cell], anisotropy(cell), F);
+    for (double& value : values.reshaped()) value = std::max(value, negative * value);
+    CellHessian onCorners;  // its rows are the modes on the corners 1 …
+    for (int m = 0; m < Dim * Dim; ++m) {
+        const Mat<Dim> moved = Eigen::Map<const Mat<Dim>>(modes.col(m).data()) * hats;
+        onCorners.row(m) = Eigen::Map<const Eigen::Matrix<double, 1, Dim * Dim>>(moved.data());
+    }
+    m_hessian[cell].noalias() = onCorners.transpose() * (m_measure[cell] * values).asDiagonal() * onCorners;
+}
+
+/// For B₀ = I the exact Hessian is applied without its blocks, which only a factor needs.
+template <int Dim>
 void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, WorkerPool& workers) {
-    m_hessian.resize(m_plan->cells.size());
+    m_isTangent = isIsotropic() && negative == 1;
+    if (!m_isTangent) m_hessian.resize(m_plan->cells.size());
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
-        for (int c = begin; c < end; ++c) {
-            if (negative == 1) {
-                m_hessian[c] = m_measure[c] * restHessian<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c),
-                                                               m_restInverse[c].transpose());
-                continue;
-            }
-            auto [values, modes] = restModes<Dim>(m_weights[c], anisotropy(c), mapOf(shape, c));
-            for (double& value : values.reshaped()) value = std::max(value, negative * value);
-            CellHessian onCorners;  // its rows are the modes on the corners 1 …
-            for (int m = 0; m < Dim * Dim; ++m) {
-                const Mat<Dim> mode = Eigen::Map<const Mat<Dim>>(modes.col(m).data());
-                const Mat<Dim> moved = mode * m_restInverse[c].transpose();
-                onCorners.row(m) = Eigen::Map<const Eigen::Matrix<double, 1, Dim * Dim>>(moved.data());
-            }
-            m_hessian[c].noalias() = onCorners.transpose() * (m_measure[c] * values).asDiagonal() * onCorners;
-        }
+        if (m_isTangent) return rest::linearize<Dim>(cells(), begin, end, shape.data(), m_tangent.data());
+        for (int c = begin; c < end; ++c) linearizeCell(c, negative, mapOf(shape, c));
     });
 }
 
@@ -131,7 +177,13 @@ Mat<Dim> RestEnergy<Dim>::hessianBlock(int left, int right) const {
 }
 
 template <int Dim>
-void RestEnergy<Dim>::addHessian(std::span<double> blocks, WorkerPool& workers) const {
+void RestEnergy<Dim>::addHessian(std::span<double> blocks, WorkerPool& workers) {
+    if (m_isTangent) {
+        m_hessian.resize(m_plan->cells.size());
+        workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+            for (int c = begin; c < end; ++c) linearizeCell(c, 1, tangentMap(c));
+        });
+    }
     workers.forPieces(m_plan->blockCount(), kPlanGrain, [&](int begin, int end) {
         for (int b = begin; b < end; ++b) {
             Eigen::Map<Mat<Dim>> block(blocks.data() + static_cast<std::ptrdiff_t>(b) * Dim * Dim);
@@ -145,6 +197,9 @@ void RestEnergy<Dim>::addHessian(std::span<double> blocks, WorkerPool& workers) 
 template <int Dim>
 void RestEnergy<Dim>::applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers) {
     workers.forPieces(m_plan->cellCount(), kPlanGrain, [&](int begin, int end) {
+        if (m_isTangent)
+            return rest::products<Dim>(cells(), begin, end, m_tangent.data(), v.data(),
+                                       m_corners.force.data());
         for (int c = begin; c < end; ++c) {
             const Mat<Dim> edges = edgeMatrix<Dim>(v, m_plan->cells[c]);
             const Eigen::Matrix<double, Dim * Dim, 1> forces =
@@ -158,6 +213,8 @@ void RestEnergy<Dim>::applyHessian(const Points<Dim>& v, Points<Dim>& Hv, Worker
 template <int Dim>
 double RestEnergy<Dim>::unfoldedPart(const Points<Dim>& shape, const Points<Dim>& step) const {
     constexpr int kHalvings = 7;
+    if (isIsotropic() && rest::staysPositive<Dim>(cells(), 0, m_plan->cellCount(), shape.data(), step.data()))
+        return 1;
     double part = 1;
     for (int c = 0; c < m_plan->cellCount(); ++c) {
         const Mat<Dim> E = mapOf(shape, c), D = edgeMatrix<Dim>(step, m_plan->cells[c]) * m_restInverse[c];

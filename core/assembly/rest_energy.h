@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/assembly/assembly_plan.h"
+#include "core/assembly/corner_lists.h"
+#include "core/assembly/rest_kernels.h"
 #include "core/energy/cell_energy.h"
 #include "core/energy/material.h"
 #include "core/energy/rest_density.h"
@@ -34,7 +36,7 @@ class RestEnergy {
     void linearize(const Points<Dim>& shape, double negative, WorkerPool& workers);
     /// Adds the Hessian to Dim × Dim blocks in the order of the plan's pattern (AssemblyPlan), which has to
     /// list its contributions.
-    void addHessian(std::span<double> blocks, WorkerPool& workers) const;
+    void addHessian(std::span<double> blocks, WorkerPool& workers);
     /// Computes Hv = H v with the Hessian of linearize(), without the matrix.
     void applyHessian(const Points<Dim>& v, Points<Dim>& Hv, WorkerPool& workers);
     /// Returns a t in [0, 1] such that no cell is flat or inverted at shape + s · step for 0 ≤ s < t, near
@@ -43,15 +45,17 @@ class RestEnergy {
 
   private:
     using CellHessian = CornerHessian<Dim>;
+    void prepareCells();
+    bool isIsotropic() const { return m_anisotropy.empty(); }
+    rest::Cells<Dim> cells() const;
     Mat<Dim> mapOf(const Points<Dim>& shape, int cell) const;
+    Mat<Dim> tangentMap(int cell) const;
     void gather(Points<Dim>& sum, WorkerPool& workers) const;
-    void setForces(int cell, const Mat<Dim>& forces) {
-        m_force[cell].template rightCols<Dim>() = forces;
-        m_force[cell].col(0) = -forces.rowwise().sum();
-    }
+    void setForces(int cell, const Mat<Dim>& forces);
+    void linearizeCell(int cell, double negative, const Mat<Dim>& F);
     Mat<Dim> hessianBlock(int left, int right) const;
     Mat<Dim> anisotropy(int c) const {
-        return m_anisotropy.empty() ? Mat<Dim>(Mat<Dim>::Identity()) : m_anisotropy[c];
+        return isIsotropic() ? Mat<Dim>(Mat<Dim>::Identity()) : m_anisotropy[c];
     }
 
     std::shared_ptr<const AssemblyPlan<Dim>> m_plan;
@@ -60,8 +64,12 @@ class RestEnergy {
     std::vector<Mat<Dim>> m_anisotropy;  // B₀, or empty: all identity
     std::vector<Mat<Dim>> m_restInverse;
     std::vector<double> m_measure;  // V₀
-    // Forces on the corners, of gradient(): V₀ ∂w/∂F E₀⁻ᵀ on the corners 1 …, minus their sum on corner 0.
-    std::vector<Eigen::Matrix<double, Dim, Dim + 1>> m_force;
+    // For B₀ = I: see rest::Cells.
+    std::vector<int> m_vertices;
+    std::vector<double> m_q, m_r, m_measures, m_hats, m_tangent;
+
+    CornerLists<Dim> m_corners;  // with the forces V₀ ∂w/∂F h_k of gradient() and those of products
+    bool m_isTangent = false;    // linearize() has filled m_tangent, not m_hessian
     std::vector<CellHessian> m_hessian;  // of the corners 1 … of the cell; corner 0 has minus their sum
 };
 

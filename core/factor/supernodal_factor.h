@@ -122,6 +122,7 @@ class SupernodalFactor {
                 m_stackSize = 0;  // where they begin; of one thread
     int m_threads = 0;            // that there are stacks for
 
+    bool m_isPaired = false;  // the unknowns: see comeInPairs()
     // Of a solve: x, and behind it for every subtree what it adds to the rows above it.
     std::vector<Real> m_x;
     std::vector<int> m_target;                // per row of a supernode: its place in m_x

@@ -11,6 +11,51 @@ namespace {
 constexpr std::size_t kSharedPanel = 100000;
 constexpr int kRows = 512, kColumns = 2 * dense::kSolveColumns;  // of a piece
 
+// Numbers go to and from the places in a list one by one or in pairs, kStep at a time.
+
+/// Gathers numbers of x.
+template <int kStep, class Real>
+void gather(const Real* x, const int* index, int count, Real* to) {
+    for (int i = 0; i < count; i += kStep) std::copy_n(x + index[i], kStep, to + i);
+}
+
+/// Adds numbers to those of x.
+template <int kStep, class Real>
+void scatter(const Real* from, const int* index, int count, Real* x) {
+    for (int i = 0; i < count; i += kStep) {
+        Real sum[kStep];
+        for (int k = 0; k < kStep; ++k) sum[k] = x[index[i] + k] + from[i + k];
+        std::copy_n(sum, kStep, x + index[i]);
+    }
+}
+
+/// Brings the numbers of b into an order, times a factor.
+template <int kStep, class Real>
+void reorder(std::span<const double> b, double factor, const std::vector<int>& order, Real* x) {
+    for (std::size_t i = 0; i < order.size(); i += kStep)
+        for (std::size_t k = 0; k < kStep; ++k) x[i + k] = static_cast<Real>(factor * b[order[i] + k]);
+}
+
+/// Brings them back from it.
+template <int kStep, class Real>
+void putBack(const Real* x, double factor, const std::vector<int>& order, std::span<double> to) {
+    for (std::size_t i = 0; i < order.size(); i += kStep)
+        for (std::size_t k = 0; k < kStep; ++k) to[order[i] + k] = factor * x[i + k];
+}
+
+/// Returns whether the unknowns come in pairs, as those of the vertices in the plane do: two columns and two
+/// rows each.
+bool comeInPairs(const Supernodes& symbolic) {
+    const auto isEven = [](int number) { return number % 2 == 0; };
+    const auto arePairs = [](const std::vector<int>& numbers) {
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            if (numbers[i + 1] != numbers[i] + 1) return false;
+        return true;
+    };
+    return std::ranges::all_of(symbolic.first, isEven) && std::ranges::all_of(symbolic.rowStart, isEven) &&
+           arePairs(symbolic.rows) && arePairs(symbolic.order);
+}
+
 bool isShared(int leading, int columns) {
     return static_cast<std::size_t>(leading) * columns >= kSharedPanel;
 }
@@ -26,6 +71,7 @@ void SupernodalFactor<Real>::placeWorkspaces() {
         for (; begin != end; ++begin) most = std::max(most, static_cast<std::size_t>(leading(*begin)));
         return most + dense::kPad<Real>;
     };
+    m_isPaired = comeInPairs(m_symbolic);
     m_target = m_symbolic.rows;
     std::size_t x = m_symbolic.order.size(), w = 0;
     std::vector<int> place(x), group;
@@ -63,7 +109,8 @@ void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
         workers->forPieces(n - below, kRows, [&](int begin, int end) {
             m_kernels->continueForward(panel(s), n, columns, below + begin, below + end, w);
         });
-    for (int i = columns; i < rows; ++i) m_x[target[i]] += w[i];
+    const auto put = m_isPaired ? scatter<2, Real> : scatter<1, Real>;
+    put(w + columns, target + columns, rows - columns, m_x.data());
 }
 
 /// Solves backward with one front: gathers x in the rows below, and applies the transposed panel.
@@ -72,7 +119,8 @@ void SupernodalFactor<Real>::backwardFront(int s, Real* w, WorkerPool* workers) 
     const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
     const int* const index = m_symbolic.rows.data() + m_symbolic.rowStart[s];
     Real* const x = m_x.data() + m_symbolic.first[s];
-    for (int i = 0; i < rows; ++i) w[i] = m_x[index[i]];
+    const auto take = m_isPaired ? gather<2, Real> : gather<1, Real>;
+    take(m_x.data(), index, rows, w);
     std::fill(w + rows, w + n, Real(0));
     std::fill_n(x, columns, Real(0));
     const bool shared = workers && isShared(n, columns);
@@ -125,14 +173,12 @@ bool SupernodalFactor<Real>::solve(std::span<const double> b, std::span<double> 
     for (double value : b) size = std::max(size, std::abs(value));
     const double back = size > 0 ? size : 1.0, scale = 1 / back;
     const auto& order = m_symbolic.order;
-    for (std::size_t i = 0; i < order.size(); ++i) m_x[i] = static_cast<Real>(scale * b[order[i]]);
+    m_isPaired ? reorder<2>(b, scale, order, m_x.data()) : reorder<1>(b, scale, order, m_x.data());
     forwardSolve(workers);
     backwardSolve(workers);
     bool finite = std::isfinite(size);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        finite = finite && std::isfinite(m_x[i]);
-        x[order[i]] = back * m_x[i];
-    }
+    for (std::size_t i = 0; i < order.size(); ++i) finite &= std::isfinite(m_x[i]);
+    m_isPaired ? putBack<2>(m_x.data(), back, order, x) : putBack<1>(m_x.data(), back, order, x);
     return finite;
 }
 

@@ -20,7 +20,7 @@ constexpr double kVelocityTolerance = 5e-3;
 // Tolerance of a field that only predicts the midpoint.
 constexpr double kGuessTolerance = 0.1;
 // Seconds of a nominal machine (SolverCost): a more expensive factorization is postponed during the drag.
-constexpr double kLongestPause = 0.05;
+constexpr double kLongestPause = 0.075;
 // Relative to the size: drags that start this close to the end of the last one use its fields as guesses.
 constexpr double kNear = 0.05;
 // Relative error of the handles above which a guess is not used for the midpoint.

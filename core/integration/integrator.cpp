@@ -284,10 +284,12 @@ Nodal<Dim> Deformer<Dim>::Integrator::endField(double from, double to) {
 template <int Dim>
 void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<Dim>& endField) {
     const Points<Dim> none;
+    const auto velocities = hasFramesBefore(to) ? endVelocities(from, to) : std::nullopt;
     for (; hasFramesBefore(to); ++m_frame) {
         const double time = m_watch->frames[m_frame];
         Points<Dim> shape = method().at(time, endField ? *endField : none);
         project(time, shape);
+        if (velocities) refineFrame(from, to, time, *velocities, shape);
         const bool isEarly = 2 * time < from + to;
         const Points<Dim>& near = isEarly ? state.normalized : m_next;
         if (firstInverted(shape) < 0 || !leadElastic(isEarly ? from : to, near, time, shape)) {
@@ -362,7 +364,8 @@ Points<Dim> Deformer<Dim>::Integrator::velocity(const std::stop_token& stop) {
     watch.stop = stop;
     m_watch = &watch;
     const auto evaluateExactly = [&] {
-        if (relaxation(state.time, side) == Relaxation::Elastic) return elasticVelocity(state.time, side, v);
+        if (relaxation(state.time, side) == Relaxation::Elastic)
+            return elasticVelocity(state.time, side, state.normalized, v);
         m_solver->setVelocityTolerance(0);
         m_solver->stages().combine(std::make_shared<const Points<Dim>>(state.normalized), {});
         return evaluate(state.time, side, v);

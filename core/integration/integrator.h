@@ -76,7 +76,12 @@ struct Deformer<Dim>::Integrator {
     bool relax(double from, double to, const Points<Dim>& start, Points<Dim>& result, double& error);
     void relaxFrame(double t, Points<Dim>& shape);
     bool leadElastic(double from, const Points<Dim>& start, double to, Points<Dim>& shape);
-    bool elasticVelocity(double t, Side side, Points<Dim>& velocity);
+    bool elasticVelocity(double t, Side side, const Points<Dim>& shape, Points<Dim>& velocity);
+    struct EndVelocities {
+        Points<Dim> start, end;
+    };
+    std::optional<EndVelocities> endVelocities(double from, double to);
+    void refineFrame(double from, double to, double t, const EndVelocities& v, Points<Dim>& shape);
 
     // Steps
     bool flows(double t, Side side) const;

@@ -230,26 +230,62 @@ bool Deformer<Dim>::Integrator::leadElastic(double from, const Points<Dim>& star
 
 /// Computes the velocity of an elastic shape, which moves with the derivative of the minimizer.
 template <int Dim>
-bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, Points<Dim>& velocity) {
+bool Deformer<Dim>::Integrator::elasticVelocity(double t, Side side, const Points<Dim>& shape,
+                                                Points<Dim>& velocity) {
     m_failure = {};
-    prescribe(t, side, state.normalized);
+    prescribe(t, side, shape);
     m_solver->setStop(m_watch ? m_watch->stop : std::stop_token());
-    const SolveOutcome outcome = m_solver->predict(state.normalized, m_prescribed, velocity);
+    const SolveOutcome outcome = m_solver->predict(shape, m_prescribed, velocity);
     return outcome.done() || failWith(outcome, t);
+}
+
+/// Computes the velocities at the ends of an elastic step; there are none for other motions.
+template <int Dim>
+std::optional<typename Deformer<Dim>::Integrator::EndVelocities> Deformer<Dim>::Integrator::endVelocities(
+    double from, double to) {
+    if (!std::isinf(m_memory)) return {};
+    // The step is done: a wish to stop does not count before the frames in it are out.
+    const Watch* const watch = std::exchange(m_watch, nullptr);
+    EndVelocities v;
+    const bool good = elasticVelocity(from, Side::After, state.normalized, v.start) &&
+                      elasticVelocity(to, Side::Before, m_next, v.end);
+    m_watch = watch;
+    m_failure = {};
+    if (!good) return {};
+    return v;
+}
+
+/// Moves an interpolated elastic shape to the cubic polynomial through the ends of the step with their
+/// velocities, if that is nearer to the minimum. It is not where the shape snaps or springs in the step.
+template <int Dim>
+void Deformer<Dim>::Integrator::refineFrame(double from, double to, double t, const EndVelocities& v,
+                                            Points<Dim>& shape) {
+    const double h = to - from, s = (t - from) / h, r = 1 - s;
+    Points<Dim> cubic = r * r * (1 + 2 * s) * state.normalized + s * s * (1 + 2 * r) * m_next +
+                        h * s * r * (r * v.start - s * v.end);
+    project(t, cubic);
+    if (firstInverted(cubic) >= 0) return;
+    if (firstInverted(shape) >= 0 || m_solver->restEnergy(cubic) < m_solver->restEnergy(shape)) shape = cubic;
 }
 
 template bool Deformer<2>::Integrator::springs();
 template bool Deformer<2>::Integrator::relax(double, double, const Points<2>&, Points<2>&, double&);
 template void Deformer<2>::Integrator::relaxFrame(double, Points<2>&);
 template bool Deformer<2>::Integrator::leadElastic(double, const Points<2>&, double, Points<2>&);
-template bool Deformer<2>::Integrator::elasticVelocity(double, Side, Points<2>&);
+template bool Deformer<2>::Integrator::elasticVelocity(double, Side, const Points<2>&, Points<2>&);
+template std::optional<Deformer<2>::Integrator::EndVelocities> Deformer<2>::Integrator::endVelocities(double,
+                                                                                                      double);
+template void Deformer<2>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points<2>&);
 template double Deformer<2>::Integrator::leastElasticStep() const;
 template Deformer<2>::Integrator::Relaxation Deformer<2>::Integrator::relaxation(double, Side) const;
 template bool Deformer<3>::Integrator::springs();
 template bool Deformer<3>::Integrator::relax(double, double, const Points<3>&, Points<3>&, double&);
 template void Deformer<3>::Integrator::relaxFrame(double, Points<3>&);
 template bool Deformer<3>::Integrator::leadElastic(double, const Points<3>&, double, Points<3>&);
-template bool Deformer<3>::Integrator::elasticVelocity(double, Side, Points<3>&);
+template bool Deformer<3>::Integrator::elasticVelocity(double, Side, const Points<3>&, Points<3>&);
+template std::optional<Deformer<3>::Integrator::EndVelocities> Deformer<3>::Integrator::endVelocities(double,
+                                                                                                      double);
+template void Deformer<3>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points<3>&);
 template double Deformer<3>::Integrator::leastElasticStep() const;
 template Deformer<3>::Integrator::Relaxation Deformer<3>::Integrator::relaxation(double, Side) const;
 

@@ -28,8 +28,12 @@ constexpr double kNoForce = 1e-14;
 // indefinite, steps are no longer than the second number, and they promise no more than this part of W.
 constexpr double kNudge = 1e-3, kNearSaddle = 1e-9;
 constexpr int kMostNudges = 3;
-// A factor serves again while each step is shorter than this part of the one before.
+// In a live drag a factor serves again while each step is shorter than this part of the one before.
 constexpr double kQuickly = 0.4;
+// Otherwise an exact one serves while steps are shorter than the first number, in sizes, and than the second
+// part of the one before. What is expected to be left after the last step with it is less than the third part
+// of the tolerance; after a step with a factor of its own it is about the square.
+constexpr double kNearby = 1e-3, kVeryQuickly = 0.1, kLeft = 1e-6;
 // Errors of predict(): in sizes, and relative to the step. It ends after so many iterations, and then makes
 // a new factor, which is expected to leave a hundredth of the error at first.
 constexpr double kPredicted = 2e-5, kOfStep = 0.01;
@@ -279,6 +283,7 @@ bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
 }
 
 /// Takes Newton steps until they are shorter than the tolerance or W no longer decreases beyond rounding.
+/// Near the minimum a factor serves for several steps, of which only the first one counts as an iteration.
 template <int Dim>
 Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& descent,
                                        const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {
@@ -289,22 +294,20 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
     }
     int nudges = 0;
     const bool isLive = descent.reusesFactor;
-    bool small = false, serves = isLive && m_isMade;
+    bool small = false, serves = isLive && m_isMade, isOwn = false;  // isOwn: the factor of this very shape
     if (!isLive) m_untilExact = 0;
     double last = std::numeric_limits<double>::infinity();  // displacement
-    for (;; ++result.iterations) {
-        if (isLive && small) {
-            result.isConverged = true;
-            return result;
-        }
-        const double force = slope(shape, proximal);
-        result.isConverged = force <= kNoForce || (small && m_isExact);
+    for (;; result.iterations += isOwn || isLive) {
+        result.isConverged = small && (isLive || m_isExact);
+        if (result.isConverged) return result;
+        result.isConverged = slope(shape, proximal) <= kNoForce;
         if (result.isConverged || result.iterations >= descent.mostIterations) return result;
         if (stop.stop_requested()) result.outcome = {SolveOutcome::Kind::Stopped, -1};
         if (result.outcome.done() && !serves)
             result.outcome =
                 factorize(isLive ? FactorKind::Single : FactorKind::Double, shape, proximal, stop);
         if (!result.outcome.done()) return result;
+        isOwn = !serves;
         Points<Dim> right = -m_reduced, y(Dim, right.cols()), step = Points<Dim>::Zero(Dim, shape.cols());
         ++m_statistics.iterations;
         if (!m_factor.solve(flat<Dim>(right), flat<Dim>(y), m_workers)) {
@@ -315,6 +318,8 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
         m_system.expand(y, step);
         const double most = step.colwise().norm().maxCoeff();
         const double decrement = -m_reduced.cwiseProduct(y).sum();
+        const double contraction = most / std::exchange(last, most);
+        const bool leavesLittle = isOwn || isLive || most * contraction <= kLeft * descent.tolerance;
         if (!m_isExact && most <= kNudge && nudges < kMostNudges &&
             decrement <= kNearSaddle * std::abs(value(shape, proximal))) {
             result.isStable = false;
@@ -324,17 +329,19 @@ Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& d
             continue;
         }
         if (!m_isExact && most <= descent.tolerance) return result;  // a saddle that cannot be left
-        if (isLive && most <= descent.tolerance && m_energy.unfoldedPart(shape, step) >= 1) {
-            // W is not evaluated after so small a step, since the next frame continues from here.
+        if ((isLive || (m_isExact && leavesLittle)) && most <= descent.tolerance &&
+            m_energy.unfoldedPart(shape, step) >= 1) {  // W changes by little more than rounding
             shape += step;
             if (descent.keep) descent.keep(shape);
             small = true;
             continue;
         }
         const double part = lineSearch(shape, step, -decrement, proximal, descent);
-        small = part * most <= descent.tolerance;
+        small = part * most <= descent.tolerance && leavesLittle;
         if (part == 0 && std::exchange(serves, false)) continue;
-        serves = isLive && part == 1 && most < kQuickly * std::exchange(last, most);
+        serves =
+            part == 1 && (isLive ? contraction < kQuickly
+                                 : m_isExact && most <= kNearby && (isOwn || contraction <= kVeryQuickly));
         if (part == 0) {
             if (m_isExact && most > descent.tolerance) {  // far from the minimum
                 m_untilExact = 1;

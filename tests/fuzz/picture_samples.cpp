@@ -139,11 +139,13 @@ std::string drawing() {
 <stop offset="100%" stop-color="#00f8" stop-opacity=".5"/></linearGradient>
 <radialGradient id="r" cx="40" cy="30" r="20" fx="35" gradientUnits="userSpaceOnUse" xlink:href="#g"/>
 <clipPath id="c"><circle cx="20" cy="20" r="15"/></clipPath>
-<mask id="m"><rect width="80" height="60" fill="white" opacity=".4"/></mask></defs>
+<filter id="f"><feGaussianBlur stdDeviation="2 1"/></filter><g id="u"><rect width="9" height="4" clip-path="url(#c)"/></g>
+<g id="v"><use href="#u"/><path d="M1 1h9v5z" filter="url(#f)"/></g>
+<mask id="m"><rect width="80" height="60" fill="white" opacity=".4" filter="url(#f)"/></mask></defs>
 <g id="body" opacity=".8" clip-path="url(#c)"><path fill="url(#g)" d="M10 10h20v-5l3,3 C40 20 50-1e1 60,40 S 70 50 20 50 Q1 2 3 4 T 9 9 A 8 5 30 1 0 12 30 z m5 5 l2-2"/></g>
 <g id="arm" transform="translate(3 4) scale(1.5) matrix(1 .1 0 1 0 0)" mask="url(#m)"><rect x="5" y="5" width="9" height="7" rx="2" style="fill:url(#r);stroke:black"/>
 <ellipse cx="30" cy="20" rx="9" ry="4" class="thin"/><polyline points="1,1 5 9 7,3" fill="none" stroke-dasharray="3 1" stroke-linejoin="round"/></g>
-<use xlink:href="#arm" x="4"/><text x="10" y="50" font-size="8">words</text><line x2="9" y2="9" stroke="hsl(120, 50%, 50%)"/></svg>
+<use xlink:href="#arm" x="4"/><use href="#v" y="20"/><text x="10" y="50" font-size="8">words</text><line x2="9" y2="9" stroke="hsl(120, 50%, 50%)"/></svg>
 )svg";
 }
 

@@ -1,9 +1,11 @@
 // Layers that are combined with one another are shown as one: what is shown, laid over one another, is the
 // picture of all layers that Krita has written into its files (tests/data/pictures/groups_in_krita.py).
 
+#include <QRect>
 #include <QTest>
 
 #include "core/base/input_file.h"
+#include "tests/support/pictures.h"
 #include "warp/blend_mode.h"
 #include "warp/layer_merging.h"
 
@@ -60,6 +62,8 @@ class TestLayerMerging : public QObject {
     void shownLayersAreThePicture_data();
     void shownLayersAreThePicture();
     void clippedLayersKeepTheAlpha();
+    void placesAreThoseOfThePicture_data();
+    void placesAreThoseOfThePicture();
 };
 
 void TestLayerMerging::shownLayersAreThePicture_data() {
@@ -144,6 +148,45 @@ void TestLayerMerging::clippedLayersKeepTheAlpha() {
                          qPrintable(QString("%1 %2 %3").arg(x).arg(y).arg(c)));
             }
         }
+}
+
+/// A letter for each layer, from the front to the back: c is clipped, a atop, h hidden, n none of these; a
+/// large one in an isolated group with an opacity.
+void TestLayerMerging::placesAreThoseOfThePicture_data() {
+    QTest::addColumn<QString>("layers");
+    for (const char* layers : {"cn", "ccnn", "CN", "NN", "AN", "NCN", "CHN", "CHNn", "cNN", "ACN", "NAN"})
+        QTest::newRow(layers) << layers;
+}
+
+/// Layers that are clipped reach beyond what clips them, on all sides.
+void TestLayerMerging::placesAreThoseOfThePicture() {
+    QFETCH(QString, layers);
+    std::vector<PictureLayer> file;
+    LayerGroup group{1, "group", "normal", 0.5};
+    for (int k = 0; k < layers.size(); ++k) {
+        const QChar kind = layers[k].toLower();
+        PictureLayer& layer = file.emplace_back();
+        layer.name = std::to_string(k);
+        layer.blend = "normal";
+        layer.clipped = kind == 'c', layer.atop = kind == 'a', layer.visible = kind != 'h';
+        const int beyond = kind == 'n' ? 0 : 9;
+        layer.x = 20 + k - beyond, layer.y = 30 - 2 * k - beyond;
+        layer.width = 10 + 2 * beyond, layer.height = 12 + 2 * beyond;
+        if (layers[k].isUpper()) layer.groups = {group};
+    }
+    const auto read = [&](const std::string& name) {
+        const PictureLayer& layer = file[std::stoul(name)];
+        return test::plainPicture(layer.width, layer.height, {200, 100, 50, 255});
+    };
+    int merged = 0;
+    for (const ShownLayer& shown : shownLayers(file)) {
+        if (shown.merges.empty()) continue;
+        ++merged;
+        const MergedPicture is = mergedPicture(file, shown, read, nullptr);
+        QCOMPARE(QRect(shown.layer.x, shown.layer.y, shown.layer.width, shown.layer.height),
+                 QRect(is.x, is.y, is.picture.width, is.picture.height));
+    }
+    QCOMPARE(merged, 1);
 }
 
 QTEST_GUILESS_MAIN(TestLayerMerging)

@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/base/error.h"
@@ -49,6 +51,8 @@ class TestLayeredFiles : public QObject {
     void pagesAreFlattened();
     void groupsAreLayers();
     void drawingsAreComposited();
+    void blursAreDrawn();
+    void usedLayersAreComposited();
     void drawingsAreClippedByBoxes();
     void clipsAreNotDrawn();
     void damagedDrawings();
@@ -360,6 +364,76 @@ void TestLayeredFiles::drawingsAreComposited() {
     QVERIFY(isAt(44 + 6, 16 + 6, {0, 0, 0, 0}));
     QVERIFY(isAt(66, 20, {255, 255, 0, 255}) && isAt(76, 20, {255, 255, 0, 128}));
     QVERIFY(isAt(84, 20, {0, 0, 0, 0}));
+}
+
+/// Clips, masks and opacities of what uses refer to, also by way of other uses; what refers to itself ends.
+void TestLayeredFiles::usedLayersAreComposited() {
+    const std::string path = written("used.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32"><defs>
+<clipPath id="disc"><circle cx="10" cy="16" r="8"/></clipPath>
+<g id="cut"><rect clip-path="url(#disc)" width="24" height="32"/></g>
+<g id="twice"><use href="#cut"/><use xlink:href="#cut" x="24"/></g>
+<use id="drawn" href="#cut" y="99"/><g id="a" opacity=".5"><use href="#b"/></g><g id="b"><use href="#a"/></g>
+<g id="self"><g opacity=".5"><rect width="2" height="2"/><use href="#self"/></g></g></defs>
+<use href="#cut" x="2" fill="#f00"/>
+<use href="#twice" transform="translate(32 0)" style="fill:#00f"/>
+<use href="#cut" x="90" opacity=".5"/><use href="#self" x="120"/><use href="#b"/><use href="#drawn" x="110" y="-99"/></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 128;
+    const auto isAt = [&](double x, double y, const std::array<int, 4>& colour) {
+        for (int c = 0; c < 4; ++c) {
+            const int seen = sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), c);
+            if ((c == 3 || colour[3] > 0) && std::abs(seen - colour[static_cast<std::size_t>(c)]) > 3)
+                return false;
+        }
+        return true;
+    };
+    for (const auto& [x, blue] : {std::pair{12.0, 0}, {42.0, 255}, {66.0, 255}}) {
+        QVERIFY2(isAt(x, 16, {255 - blue, 0, blue, 255}), qPrintable(QString::number(x)));
+        QVERIFY(isAt(x - 7, 16, {255 - blue, 0, blue, 255}) && isAt(x + 7, 16, {255 - blue, 0, blue, 255}));
+        QVERIFY(isAt(x - 9, 16, {0, 0, 0, 0}) && isAt(x + 9, 16, {0, 0, 0, 0}) && isAt(x, 4, {0, 0, 0, 0}));
+    }
+    QVERIFY(isAt(100, 16, {0, 0, 0, 128}) && isAt(100, 4, {0, 0, 0, 0}));
+    QVERIFY(!isAt(121, 1, {0, 0, 0, 0}) && isAt(120, 16, {0, 0, 0, 255}) && isAt(120, 4, {0, 0, 0, 0}));
+    std::string doubled = R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><defs>
+        <g id="g0" opacity=".5"><rect width="9" height="9"/><rect width="5" height="5"/></g>)";
+    for (int k = 1; k < 40; ++k) {
+        const std::string used = "<use href=\"#g" + std::to_string(k - 1) + "\"/>";
+        doubled += "<g id=\"g" + std::to_string(k) + "\">" + used + used + "</g>";
+    }
+    QVERIFY(readImage(written("doubled.svg", (doubled + R"(</defs><use href="#g3"/></svg>)").c_str())).alpha);
+}
+
+/// A blur is a Gaussian across an edge, with the scale of its element; it is clipped afterwards, and masks
+/// may be blurred. Filters that do more than that are left out.
+void TestLayeredFiles::blursAreDrawn() {
+    const std::string path = written("blurred.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+     width="256" height="64" viewBox="0 0 256 64"><defs>
+<filter id="soft"><feGaussianBlur in="SourceGraphic" stdDeviation="4"/></filter>
+<filter id="endless"><feGaussianBlur stdDeviation="1e200"/></filter>
+<filter id="across"><feGaussianBlur stdDeviation="4 0"/></filter>
+<filter id="shadow"><feOffset dx="9"/><feGaussianBlur stdDeviation="4"/></filter>
+<clipPath id="right"><rect x="48" width="48" height="64"/></clipPath>
+<mask id="mask"><rect x="112" y="-40" width="28" height="200" fill="#fff" filter="url(#soft)"/></mask></defs>
+<g transform="scale(.5)"><rect x="-200" y="-200" width="240" height="600" filter="url(#soft)"/></g>
+<g clip-path="url(#right)"><rect x="40" width="24" height="64" style="filter:url(#across)"/></g>
+<rect x="100" width="40" height="64" mask="url(#mask)"/>
+<rect x="200" y="16" width="24" height="24" filter="url(#shadow)"/>
+<rect x="240" width="9" height="9" filter="url(#endless)" transform="scale(1e200)"/></svg>)svg");
+    const Image image = readImage(path);
+    const int scale = image.width / 256;
+    const auto isNear = [&](double x, double y, double alpha) {
+        return std::abs(sample(image, static_cast<int>(scale * x), static_cast<int>(scale * y), 3) -
+                        255 * alpha) < 7;
+    };
+    const auto upTo = [](double deviations) { return std::erfc(deviations / std::numbers::sqrt2) / 2; };
+    for (const double by : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+        QVERIFY2(isNear(20 + 2 * by, 32, upTo(by)), qPrintable(QString::number(by)));
+        QVERIFY2(isNear(64 + 4 * by, 32, upTo(by)), qPrintable(QString::number(by)));
+        QVERIFY2(isNear(112 + 4 * by, 32, upTo(-by)), qPrintable(QString::number(by)));
+    }
+    QVERIFY(isNear(47, 32, 0) && isNear(49, 1, 1));
+    QVERIFY(isNear(201, 30, 1) && isNear(199, 30, 0) && isNear(223, 30, 1) && isNear(225, 30, 0));
 }
 
 /// Clip paths and masks that measure in the box around a group, a use or a text; what is used may have been

@@ -92,10 +92,7 @@ std::size_t mixed(std::size_t sum, Bytes bytes) {
 template <typename Failed>
 Message tryWriteTo(OIIO::ImageOutput& output, const Failed& failed, const PictureToWrite& writing,
                    const OIIO::ImageSpec& spec, std::size_t& sum) {
-    const auto mode =
-        writing.page.value_or(0) > 0 ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create;
-    if (!output.open(writing.temporary, spec, mode))
-        return "cannot be opened for writing: " + output.geterror();
+    if (!output.open(writing.temporary, spec)) return "cannot be opened for writing: " + output.geterror();
     const bool written = writing.strips([&](int top, const Image& strip) {
         const auto* bytes = reinterpret_cast<const char*>(strip.data.data());
         for (int y = 0; y < strip.height; ++y)
@@ -119,18 +116,13 @@ Message tryToReadBack(const PictureToWrite& writing, const OIIO::ImageSpec& spec
     OIIO::ImageSpec found, config;
     config.attribute("oiio:UnassociatedAlpha", writing.picture.unassociated ? 1 : 0);
     if (!input->open(writing.temporary, found, config)) return "cannot be read again: " + input->geterror();
-    const int page = writing.page.value_or(0);
-    if (page > 0) {
-        if (!input->seek_subimage(page, 0)) return "cannot be read again: " + input->geterror();
-        found = input->spec();
-    }
     if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
         return "has another size when it is read again";
     std::string row(spec.scanline_bytes(),
                     '\0');  // in the type that was handed over: a TIFF keeps halves as floats
     for (int y = found.y + first; y < found.y + found.height; ++y) {
         const bool read =
-            input->read_scanlines(page, 0, y, y + 1, found.z, 0, found.nchannels, spec.format, row.data()) &&
+            input->read_scanlines(0, 0, y, y + 1, found.z, 0, found.nchannels, spec.format, row.data()) &&
             !input->has_error();
         if (!read) return "cannot be read again to its end";
         sum = mixed(sum, row);
@@ -218,16 +210,6 @@ void takeAttributes(PictureFormat format, const Image& image, const OIIO::ImageS
     dropOddProfile(format, to);
 }
 
-/// Positions count in units of the resolution, for which readers take different values where none is said.
-void setPlaceOfPage(const Image& page, OIIO::ImageSpec& spec) {
-    constexpr float kUsual = 72;
-    spec.x = page.place.x, spec.y = page.place.y;
-    if (spec.get_float_attribute("XResolution") > 0 && spec.get_float_attribute("YResolution") > 0) return;
-    spec.attribute("XResolution", kUsual);
-    spec.attribute("YResolution", kUsual);
-    spec.attribute("ResolutionUnit", "in");
-}
-
 }  // namespace
 
 OIIO::ImageSpec fileSpec(PictureFormat format, const Image& image) {
@@ -259,7 +241,6 @@ void writeStored(const PictureToWrite& writing) {
         spec.channelnames = writing.channelNames;
         spec.alpha_channel = 3;  // of the first picture
     }
-    if (writing.page) setPlaceOfPage(writing.picture, spec);
     if (!codecOf(writing.format).writer)
         writeWebpPicture(writing, spec);
     else

@@ -1,10 +1,12 @@
 #include "app/engine/shape/mesh_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/boundary_loops.h"
+#include "core/mesh/point_locator.h"
 
 namespace wend {
 
@@ -41,6 +43,10 @@ Polygon outlineOf(const SimplicialMesh<2>& mesh, const std::vector<int>& cells) 
     for (auto& loop : boundaryLoops(part))
         if (twiceArea(loop) > twiceArea(best.points)) best.points = std::move(loop);
     return best;
+}
+
+std::vector<Cell<2>> cellsOfPart(const SimplicialMesh<2>& rest, const MeshPart& part) {
+    return {rest.cells.begin() + part.firstCell, rest.cells.begin() + part.endCell};
 }
 
 }  // namespace
@@ -85,5 +91,25 @@ Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>
 WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
+
+std::optional<Vec<2>> jointPlace(const SimplicialMesh<2>& rest, const std::string& part,
+                                 const std::string& other) {
+    const auto own = std::ranges::find(rest.parts, part, &MeshPart::name),
+               to = std::ranges::find(rest.parts, other, &MeshPart::name);
+    if (own == rest.parts.end() || to == rest.parts.end()) return std::nullopt;
+    const std::vector<Cell<2>> ownCells = cellsOfPart(rest, *own), otherCells = cellsOfPart(rest, *to);
+    const PointLocator<2> inOwn(rest.points, ownCells), inOther(rest.points, otherCells);
+    std::vector<Vec<2>> shared;
+    Vec<2> middle = Vec<2>::Zero();
+    for (int v = own->firstVertex; v < own->endVertex; ++v)
+        if (const Vec<2> p = rest.points.col(v); inOther.find(p)) {
+            shared.push_back(p);
+            middle += p;
+        }
+    if (shared.empty()) return std::nullopt;
+    middle /= static_cast<double>(shared.size());
+    if (inOwn.find(middle) && inOther.find(middle)) return middle;
+    return *std::ranges::min_element(shared, {}, [&](const Vec<2>& p) { return (p - middle).squaredNorm(); });
+}
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,10 @@ Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>
 /// A region that holds the whole shape.
 template <int Dim>
 Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh);
+
+/// Returns a place for a joint of two parts: the middle of the vertices of one that are in the other at rest,
+/// or the nearest of them to it that is in both; nothing if the parts do not overlap.
+std::optional<Vec<2>> jointPlace(const SimplicialMesh<2>& rest, const std::string& part,
+                                 const std::string& other);
 
 }  // namespace wend

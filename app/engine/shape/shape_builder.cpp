@@ -5,7 +5,6 @@
 #include "app/engine/shape/flat_shape.h"
 #include "app/engine/shape/material_raster.h"
 #include "app/engine/shape/mesh_rest.h"
-#include "app/engine/shape/same_mesh.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/file/named_files.h"

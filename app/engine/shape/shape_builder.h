@@ -56,4 +56,7 @@ class ShapeBuilder {
 /// Cancelled when stopped.
 AnyShape loadShape(const Project& project, const std::string& folder, std::stop_token stop = {});
 
+/// Returns whether the same mesh serves for both inputs, so that only the motion is to be computed.
+bool sameMesh(const ShapeInputs& a, const ShapeInputs& b);
+
 }  // namespace wend

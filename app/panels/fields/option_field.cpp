@@ -10,7 +10,7 @@
 #include <QStandardItemModel>
 #include <cmath>
 
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 

@@ -3,8 +3,10 @@
 #include <QComboBox>
 #include <QFrame>
 #include <QRegularExpression>
+#include <QToolButton>
+#include <QVBoxLayout>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 
 namespace wend {
 
@@ -108,6 +110,47 @@ void describe(QWidget* widget, const QString& name, const QString& help) {
     widget->setToolTip(
         QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), help.toHtmlEscaped()));
     widget->setStatusTip(help);
+}
+
+FoldingSection::FoldingSection(const QString& title, const QString& help, const QString& name,
+                               QWidget* parent)
+    : QWidget(parent),
+      m_title(new QToolButton(this)),
+      m_body(new QWidget(this)),
+      m_parts(new QVBoxLayout(m_body)),
+      m_isOpen(QStringLiteral("open/") + name) {
+    setObjectName(name);
+    m_title->setText(title);
+    m_title->setCheckable(true);
+    m_title->setProperty("role", "fold");
+    m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_title->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    describe(m_title, title, help);
+    m_parts->setContentsMargins(0, 0, 0, 0);
+    m_parts->setSpacing(0);
+    auto* column = bareColumn(this, 0);
+    column->addWidget(m_title);
+    column->addWidget(m_body);
+    connect(m_title, &QToolButton::toggled, this, [this](bool open) {
+        m_body->setVisible(open);
+        m_title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        m_isOpen.set(open);
+    });
+    m_title->setArrowType(Qt::RightArrow);
+    m_body->hide();
+    m_title->setChecked(m_isOpen.value());
+}
+
+void FoldingSection::add(QWidget* part) {
+    m_parts->addWidget(part);
+}
+
+bool FoldingSection::isOpen() const {
+    return m_title->isChecked();
+}
+
+void FoldingSection::setOpen(bool open) {
+    m_title->setChecked(open);
 }
 
 }  // namespace wend

@@ -4,11 +4,16 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSpinBox>
+#include <QWidget>
 #include <array>
 #include <initializer_list>
 #include <numbers>
 
+#include "app/base/preferences.h"
+
 class QComboBox;
+class QToolButton;
+class QVBoxLayout;
 
 namespace wend {
 
@@ -43,5 +48,23 @@ QString tableLine(const QString& name, const QString& value);
 QString withoutKey(QString label);
 /// Sets tooltip, status tip and accessible description.
 void describe(QWidget* widget, const QString& name, const QString& help);
+
+/// A part of the side panel with a title that folds it; its state is stored.
+class FoldingSection : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `name`: of the setting that keeps whether it is open; closed at first.
+    FoldingSection(const QString& title, const QString& help, const QString& name, QWidget* parent = nullptr);
+    void add(QWidget* part);
+    bool isOpen() const;
+    void setOpen(bool open);
+
+  private:
+    QToolButton* m_title;
+    QWidget* m_body;
+    QVBoxLayout* m_parts;
+    Preference<bool> m_isOpen;
+};
 
 }  // namespace wend

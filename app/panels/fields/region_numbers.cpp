@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 
 namespace wend {

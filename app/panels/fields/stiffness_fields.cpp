@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/project/options/options.h"

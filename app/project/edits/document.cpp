@@ -1,13 +1,61 @@
 #include "app/project/edits/document.h"
 
 #include <QFileInfo>
+#include <QUndoCommand>
+#include <memory>
 
-#include "app/project/edits/commands.h"
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"
 #include "warp/image.h"
 
 namespace wend {
+
+/// An undo command with the project before and after a gesture. Undo and redo set the value, so repeating
+/// either has no effect. Consecutive commands with the same merge key merge.
+class ProjectCommand : public QUndoCommand {
+  public:
+    ProjectCommand(Document& document, const QString& name, std::shared_ptr<const Project> before,
+                   std::shared_ptr<const Project> after, const QString& mergeKey);
+
+    void undo() override;
+    void redo() override;
+    int id() const override;
+    bool mergeWith(const QUndoCommand* next) override;
+    const QString& mergeKey() const { return m_mergeKey; }
+
+  private:
+    Document& m_document;
+    std::shared_ptr<const Project> m_before, m_after;
+    QString m_mergeKey;
+};
+
+ProjectCommand::ProjectCommand(Document& document, const QString& name, std::shared_ptr<const Project> before,
+                               std::shared_ptr<const Project> after, const QString& mergeKey)
+    : QUndoCommand(name),
+      m_document(document),
+      m_before(std::move(before)),
+      m_after(std::move(after)),
+      m_mergeKey(mergeKey) {}
+
+void ProjectCommand::undo() {
+    setObsolete(m_document.isDropping());
+    m_document.setProject(m_before);
+}
+
+void ProjectCommand::redo() {
+    m_document.setProject(m_after);
+}
+
+int ProjectCommand::id() const {
+    return m_mergeKey.isEmpty() ? -1 : 1;
+}
+
+bool ProjectCommand::mergeWith(const QUndoCommand* next) {
+    const auto* other = static_cast<const ProjectCommand*>(next);
+    if (other->m_mergeKey != m_mergeKey) return false;
+    m_after = other->m_after;
+    return true;
+}
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);

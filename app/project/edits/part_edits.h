@@ -8,6 +8,7 @@
 #include "app/project/part.h"
 #include "app/project/project_fwd.h"
 #include "core/mesh/region.h"
+#include "core/meshing/outline.h"
 
 namespace wend {
 
@@ -57,5 +58,14 @@ std::shared_ptr<const Project> withoutParts(const Project& project, const std::s
 /// Returns whether a part may be attached to another one: the chain must end at a part with a mesh, and
 /// joints need one.
 bool mayRide(const std::vector<PicturePart>& parts, int part, int on);
+
+/// Sets the user's outline of a picture. Removes points of pins outside it, and pins without points. Returns
+/// the number of removed pins.
+int setOutline(Project& project, Outline outline);
+
+/// Returns a project in which a part of the picture has that outline, with the number of removed pins: those
+/// that name the part.
+std::shared_ptr<const Project> withDrawnOutline(const Project& project, int part, Outline outline,
+                                                int& pinsGone);
 
 }  // namespace wend

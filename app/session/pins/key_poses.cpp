@@ -58,7 +58,7 @@ std::vector<KeyId> pasteKeys(ShapeSession& session, std::vector<CopiedKey> copie
     std::vector<KeyId> pasted;
     const auto next = withKeysPasted(*document.project(), copies, time, startsOf(session), pasted);
     if (pasted.size() < copies.size())
-        emit session.notice(ShapeSession::tr(
+        session.notify(ShapeSession::tr(
             "No pose was set where a pin begins, rotates or does not hold: show another time."));
     session.playback().setPlaying(false);
     if (!pasted.empty()) document.change(step, next);

@@ -1,9 +1,23 @@
 #pragma once
 
-#include "app/project/edits/mirror_edits.h"
+#include "app/project/pin.h"
 #include "app/session/shape_session.h"
 
 namespace wend {
+
+/// Mirrors one coordinate, at an upright or level line of a picture, or a plane in space across an axis.
+struct Mirror {
+    int axis = 0;
+    double at = 0;
+
+    /// Mirrors a place, and a direction.
+    Vec3 operator()(Vec3 p) const;
+    Vec3 along(Vec3 direction) const;
+};
+
+/// Returns the mirror image of the motion, with its rotations.
+PinMotion mirrored(const PinMotion& motion, const Mirror& mirror);
+Region<3> mirrored(const Region<3>& region, const Mirror& mirror);
 
 /// Returns the mirror of a shape: for pictures the vertical line through the middle, for solids the
 /// axis-aligned plane through the middle that makes it most similar to its mirror image (the first of

@@ -113,7 +113,7 @@ bool widenTurned(ShapeSession& session, int handle) {
     for (const PinView& pin : session.pins(true))
         if (pin.handle == handle) grip.centre = pin.centre;
     if (!widenPoint(session, handle)) return false;
-    if (std::abs(angle) > kNoTurn) session.moveSelected(grip, {angle, 0, 0});
+    if (std::abs(angle) > kNoTurn) session.gestures().moveAtOnce(grip, {angle, 0, 0});
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/manipulator.h"
+#include "app/tools/gizmos.h"
 #include "app/tools/shape_tool.h"
 #include "core/mesh/cut_plane.h"
 

@@ -4,7 +4,7 @@
 
 #include "app/project/design.h"
 #include "app/session/brush.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/paint/brush_paint.h"
 #include "core/base/error.h"
 

@@ -10,7 +10,7 @@
 #include "app/project/edits/part_edits.h"
 #include "app/session/brush.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/paint/brush_paint.h"
 #include "core/base/error.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/region_outline.h"
 
 namespace wend {

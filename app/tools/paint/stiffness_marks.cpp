@@ -7,7 +7,7 @@
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/material_raster.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

@@ -8,7 +8,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/pin_edits.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 
 namespace wend {
 

@@ -10,7 +10,7 @@
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/region_outline.h"
 

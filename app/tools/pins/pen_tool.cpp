@@ -1,17 +1,62 @@
-#include "app/tools/pins/pen_tool.h"
-
 #include <QCoreApplication>
 #include <QLineF>
 #include <algorithm>
+#include <memory>
 
+#include "app/project/edits/bezier_edits.h"
 #include "app/style/colours.h"
-#include "app/style/mark_size.h"
+#include "app/style/marks.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/pins/pin_picking.h"
+#include "app/tools/tool_kinds.h"
 
 namespace wend {
 
 namespace {
+
+/// Draws the path of the selected pins, or of a clicked pin: a click adds a corner, a drag a smooth point.
+/// Shift constrains both to steps of 45°; with Ctrl or Alt a drag changes only the direction after the point.
+/// In space every point has the depth of the one before. The path is one undo step; other changes cancel it.
+class PenTool : public ShapeTool<> {
+  public:
+    explicit PenTool(ShapeView& view) : ShapeTool<>(view) {}
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent& event) override;
+    bool key(const QKeyEvent& event) override;
+    bool ownsKey(const QKeyEvent& event) const override;
+    MenuPlace menuAt(const QPointF& at) override;
+    void cancel() override;
+    void leave() override { m_over = false; }
+    void paint(QPainter& painter) const override;
+
+    bool isDrawing() const;
+
+  private:
+    int pinAt(const QPointF& widget) const;
+    bool begin(const QPointF& at);
+    bool beginAt(const std::vector<int>& handles);
+    Vec3 placeAt(const QPointF& widget) const;
+    Vec3 nextPlace() const;
+    QPointF last() const { return view().onScreen(m_joints.back().at); }
+    void takePointer(const QMouseEvent& event);
+    void pullDirections(bool oneOnly);
+    bool isOnLast(const QPointF& widget) const;
+    void finish();
+    void removeLast();
+    void paintJoints(QPainter& painter) const;
+
+    std::vector<DrawnJoint> m_joints;     // the first one is where the pins are
+    std::shared_ptr<const Project> m_of;  // the project of these pins …
+    double m_time = 0;                    // … at that time
+    bool m_pressed = false;               // the last joint's direction follows the pointer
+    bool m_over = false;
+    bool m_steps = false;  // constrains to 45°
+    QPointF m_from, m_at;
+};
 
 constexpr double kPenReach = 9;   // pixels of the screen, of pins
 constexpr double kSamePoint = 4;  // of the last point
@@ -27,8 +72,6 @@ bool takesBack(const QKeyEvent& event) {
 bool ends(const QKeyEvent& event) {
     return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
 }
-
-}  // namespace
 
 QString PenTool::hint() const {
     if (isDrawing() && m_pressed)
@@ -142,7 +185,7 @@ void PenTool::release(const QMouseEvent& event) {
 void PenTool::finish() {
     const auto joints = std::exchange(m_joints, {});
     m_pressed = false;
-    if (joints.size() > 1) session().followCurve(bezierThrough(joints));
+    if (joints.size() > 1) session().gestures().followCurve(bezierThrough(joints));
 }
 
 void PenTool::removeLast() {
@@ -214,6 +257,8 @@ void PenTool::paintJoints(QPainter& painter) const {
         painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
     }
 }
+
+}  // namespace
 
 ToolKind penTool() {
     return toolKind("pen", "pen", QT_TRANSLATE_NOOP("Tools", "Pe&n"),

@@ -1,13 +1,15 @@
 #include "app/tools/pins/pin_tool.h"
 
+#include <QCoreApplication>
 #include <QLineF>
 #include <algorithm>
 #include <cmath>
 
 #include "app/session/pins/pin_shapes.h"
+#include "app/style/colours.h"
+#include "app/style/marks.h"
 #include "app/tools/drag_label.h"
-#include "app/tools/manipulator.h"
-#include "app/tools/pins/pin_ring.h"
+#include "app/tools/gizmos.h"
 
 namespace wend {
 
@@ -35,6 +37,19 @@ std::unique_ptr<Gizmo> gizmoFor(const ShapeView& view) {
 }
 
 }  // namespace
+
+bool TypedNumber::take(const QKeyEvent& key) {
+    const QString text = key.text();
+    if (key.key() == Qt::Key_Backspace)
+        m_text.chop(1);
+    else if (text == QStringLiteral(",") || text == QStringLiteral("."))
+        m_text += '.';
+    else if (text.size() == 1 && (text[0].isDigit() || (text[0] == '-' && m_text.isEmpty())))
+        m_text += text;
+    else
+        return false;
+    return true;
+}
 
 PinTool::PinTool(ShapeView& view, PinChoice& choice, bool adds)
     : ShapeTool<>(view), m_gizmo(gizmoFor(view)), m_curve(view), m_choice(choice), m_adds(adds) {
@@ -201,7 +216,7 @@ void PinTool::beginDrag(const Part& part) {
     m_part = part;
     m_typed.clear();
     m_amount.setZero();
-    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
+    session().gestures().begin(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     m_gesture = Gesture::Drag;
     if (!session().isDragging()) finishDrag();
 }
@@ -210,7 +225,7 @@ void PinTool::drag(bool snaps) {
     const bool isFree = m_gizmo->part().kind == Grip::Kind::Move && m_gizmo->part().axis < 0;
     m_amount = m_gizmo->drag(view(), reached(snaps && isFree), snaps);
     if (!m_typed.isEmpty()) m_amount = m_gizmo->typed(m_typed.value(), view());
-    session().dragBy(m_amount, m_seconds);
+    session().gestures().moveBy(m_amount, m_seconds);
 }
 
 /// Restarts the gesture from its beginning along another axis.
@@ -220,8 +235,8 @@ void PinTool::lock(int axis) {
     part.plane = false;
     m_gizmo->begin(part, view(), m_from);
     m_part = part;
-    session().cancelDrag();  // drops the path so far
-    session().beginDrag(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
+    session().gestures().cancel();  // drops the path so far
+    session().gestures().begin(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     drag();
 }
 
@@ -230,11 +245,11 @@ void PinTool::finishDrag() {
     m_part.reset();
     const double pixel = view().pixelSize(m_gizmo->centre());
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
-        session().endDragStraight();
+        session().gestures().endStraight();
     else if (m_gizmo->part().kind == Grip::Kind::Move)
-        session().endDrag(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
+        session().gestures().end(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
     else
-        session().endDrag(kTurnDetail);
+        session().gestures().end(kTurnDetail);
     if (std::exchange(m_sets, false)) session().document().endStep();
 }
 
@@ -329,7 +344,7 @@ bool PinTool::nudge(const QKeyEvent& event) {
     m_cross.hide();
     placeGizmo();
     const auto by = arrowOf(event);
-    if (by) session().nudgeSelected(nudgeOf(view(), m_gizmo->centre(), *by));
+    if (by) session().gestures().nudge(nudgeOf(view(), m_gizmo->centre(), *by));
     return by.has_value();
 }
 
@@ -367,9 +382,137 @@ void PinTool::cancel() {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     m_part.reset();
     m_typed.clear();
-    if (gesture == Gesture::Drag) session().cancelDrag();
+    if (gesture == Gesture::Drag) session().gestures().cancel();
     if (std::exchange(m_sets, false)) session().document().dropStep();
     m_curve.cancel();
+}
+
+// --- Hints, drawing, cursor and menu entry of the pin tool ---
+
+QString PinTool::hint() const {
+    const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
+    if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
+    if (isRecording(session())) return recordingHint();
+    if (m_gesture == Gesture::Widen)
+        return QCoreApplication::translate("PinTool", "Drag as far as the pin should hold; Esc cancels");
+    const bool moves = m_gesture == Gesture::Drag && m_gizmo->part().kind == Grip::Kind::Move;
+    if (view().dimension() == 3 && m_gesture == Gesture::Drag)
+        return QCoreApplication::translate("PinTool",
+                                           "Shift keeps it straight; X, Y, Z lock an axis, numbers set the "
+                                           "amount, Esc puts the shape back");
+    if (moves)
+        return QCoreApplication::translate(
+            "PinTool",
+            "Shift keeps it straight; X, Y lock an axis, numbers set the amount, Esc puts the shape back");
+    if (m_part) return m_gizmo->hint();
+    const bool isPlaced = waits && placeGizmo();
+    if (isPlaced && m_gizmo->anywhere()) return gripHint();
+    if (m_hovered >= 0)
+        return QCoreApplication::translate(
+            "PinTool",
+            "Drag to move the pin, Ctrl-drag to record it, Ctrl+Shift-drag to widen it, "
+            "Shift-click to select more");
+    if (isOver && m_curve.isOnCurve(m_at)) return curveHint(false);
+    return isPlaced && m_over && m_gizmo->turnsPointAt(view(), m_at) ? pointHint(Grip::Kind::Turn)
+                                                                     : besideHint();
+}
+
+/// Returns the hint of a rotating or scaling drag.
+QString PinTool::gripHint() const {
+    const Grip::Kind kind = m_gizmo->anywhere()->kind;
+    if (!m_gizmo->canTurn()) return pointHint(kind);
+    return kind == Grip::Kind::Turn
+               ? QCoreApplication::translate(
+                     "PinTool",
+                     "Drag anywhere to rotate what is selected, Shift snaps to 15°, Ctrl "
+                     "records it; digits set the number")
+               : QCoreApplication::translate(
+                     "PinTool",
+                     "Drag anywhere to scale what is selected, Ctrl records it; digits set "
+                     "the number");
+}
+
+/// Returns the hint of a drag that rotates or scales a single point.
+QString PinTool::pointHint(Grip::Kind kind) {
+    return kind == Grip::Kind::Grow
+               ? QCoreApplication::translate("PinTool", "Drag to scale: the point becomes a small circle")
+               : QCoreApplication::translate(
+                     "PinTool", "Drag to rotate: the point becomes a small circle, which holds its angle");
+}
+
+/// Returns the hint for a press outside all pins.
+QString PinTool::besideHint() const {
+    if (m_outline.kind() == Outline::Lasso)
+        return m_adds
+                   ? QCoreApplication::translate("PinTool",
+                                                 "Click on the shape to set a pin, drag to bend it at once; "
+                                                 "beside it, draw around pins to select them")
+                   : QCoreApplication::translate(
+                         "PinTool", "Draw around pins to select them; Shift adds, Ctrl takes away");
+    if (m_outline.kind() == Outline::Brush)
+        return m_adds
+                   ? QCoreApplication::translate("PinTool",
+                                                 "Click on the shape to set a pin, drag to bend it at once; "
+                                                 "beside it, brush over pins, [ and ] change the size")
+                   : QCoreApplication::translate("PinTool",
+                                                 "Brush over pins to select them, [ and ] change the size; "
+                                                 "Shift adds, Ctrl takes away");
+    return m_adds
+               ? QCoreApplication::translate(
+                     "PinTool", "Click on the shape to set a pin, or press and drag to bend it at once")
+               : QCoreApplication::translate("PinTool",
+                                             "Click, or draw beside pins, to select; Shift adds, Ctrl takes "
+                                             "away; drag or arrow keys move");
+}
+
+QCursor PinTool::cursor() const {
+    if (m_gesture == Gesture::Drag) return Qt::ClosedHandCursor;
+    if (m_gesture == Gesture::Widen) return Qt::SizeAllCursor;
+    if (m_hovered >= 0 || m_part) return Qt::OpenHandCursor;
+    return m_adds ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+void PinTool::paint(QPainter& painter) const {
+    m_curve.paint(painter, m_at);
+    paintRecording(painter, session(), m_at + QPointF(16, -34));
+    if (session().selection().isEmpty()) m_cross.paint(painter);
+    if (m_gesture == Gesture::Marquee) return m_outline.paint(painter);
+    if (m_gesture == Gesture::Widen) return paintWidened(painter);
+    const bool waits = m_gesture == Gesture::None || m_gesture == Gesture::Pressed;
+    const bool isBeside = waits && m_over && m_hovered < 0 && !m_part;
+    if (isBeside && m_outline.kind() == Outline::Brush) m_outline.paintBrush(painter, m_at);
+    if (waits && placeGizmo()) m_gizmo->paint(painter, view(), litPart());
+    if (m_gesture != Gesture::Drag) return;
+    m_gizmo->paintDragged(painter, view(), m_amount);
+    const bool isPlain = view().dimension() == 2 && m_part == Part{} && m_typed.isEmpty();
+    if (!isPlain) paintLabel(painter, m_at + QPointF(16, 16), m_gizmo->text(m_amount, view().dimension()));
+}
+
+void PinTool::paintWidened(QPainter& painter) const {
+    for (const auto& pin : session().pins()) {
+        if (pin.handle != m_pressed) continue;
+        const QPointF centre = view().onScreen(pin.centre);
+        painter.setPen(QPen(QColor(kAccent), marked(2)));
+        painter.setBrush(QColor(0x4a, 0x5b, 0xd4, 20));
+        const double radius = QLineF(centre, m_at).length();
+        painter.drawEllipse(centre, radius, radius);
+    }
+}
+
+ToolKind pinTool() {
+    return toolKind("pin", "pin", QT_TRANSLATE_NOOP("Tools", "&Pin"),
+                    QT_TRANSLATE_NOOP("Tools", "Set pins and drag them"), "P", Mode::Pins,
+                    both<PinTool>(&Workbench::pins, true),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through,
+                     ToolOption::Snap},
+                    {}, Mode::Pins);
+}
+
+ToolKind selectTool() {
+    return toolKind("select", "select", QT_TRANSLATE_NOOP("Tools", "Se&lect"),
+                    QT_TRANSLATE_NOOP("Tools", "Select and drag pins without setting new ones"), "V",
+                    Modes::all(), both<PinTool>(&Workbench::pins, false),
+                    {ToolOption::Grip, ToolOption::Separator, ToolOption::SelectBy, ToolOption::Through});
 }
 
 }  // namespace wend

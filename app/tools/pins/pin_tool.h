@@ -1,14 +1,29 @@
 #pragma once
 
-#include "app/tools/gizmo.h"
+#include <QKeyEvent>
+#include <QString>
+
+#include "app/tools/gizmos.h"
 #include "app/tools/in_steps.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/pins/curve_editor.h"
 #include "app/tools/pins/pin_picking.h"
-#include "app/tools/pins/typed_number.h"
 #include "app/tools/tool_kind.h"
 
 namespace wend {
+
+/// A number typed during a drag, which replaces the pointer's amount.
+class TypedNumber {
+  public:
+    /// Returns whether the key belongs to a number.
+    bool take(const QKeyEvent& key);
+    bool isEmpty() const { return m_text.isEmpty(); }
+    double value() const { return m_text.toDouble(); }
+    void clear() { m_text.clear(); }
+
+  private:
+    QString m_text;
+};
 
 /// Selects, drags, rotates, scales and widens pins, with a ring in the plane and a manipulator in space. With
 /// `adds`, a click on the bare shape adds a pin, and a drag from there moves it.

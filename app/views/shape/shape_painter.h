@@ -11,6 +11,9 @@
 
 namespace wend {
 
+/// The name of a handle that does not hold at a time, and since or until when.
+QString ghostName(const Pin& handle, const QString& name, double time);
+
 /// Colours of the world's axes x, y, z in the usual order, distinguishable by lightness, too.
 inline const QColor kSpaceAxes[] = {QColor(214, 69, 65), QColor(72, 148, 60), QColor(58, 104, 214)};
 

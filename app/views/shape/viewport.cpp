@@ -1,5 +1,6 @@
 #include "app/views/shape/viewport.h"
 
+#include <QKeyEvent>
 #include <utility>
 
 #include "app/panels/legend.h"
@@ -9,6 +10,8 @@ namespace wend {
 namespace {
 
 constexpr int kDimAfter = 250, kNameAfter = 300;  // milliseconds
+
+constexpr double kClickPixels = 4;
 
 }  // namespace
 
@@ -120,6 +123,187 @@ void Viewport::paintLegend(QPainter& painter, const QSize& size) const {
     if (showsMap())
         paintLegendCard(painter, size, m_looks.colours.measure, m_looks.colours.range, m_widget.palette(),
                         m_dimension);
+}
+
+// --- Pointer and key events on a shape ---
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+    auto& mouse = *static_cast<QMouseEvent*>(event);
+    auto& key = *static_cast<QKeyEvent*>(event);
+    switch (event->type()) {
+        case QEvent::MouseButtonPress:
+            return press(mouse), true;
+        case QEvent::MouseButtonDblClick:
+            return doubleClick(mouse), true;
+        case QEvent::MouseMove:
+            return move(mouse), true;
+        case QEvent::MouseButtonRelease:
+            return release(mouse), true;
+        case QEvent::KeyPress:
+            return pressKey(key);
+        case QEvent::KeyRelease:
+            if (key.key() == Qt::Key_Space && !key.isAutoRepeat()) setSpaceDown(false);
+            return false;
+        case QEvent::ShortcutOverride:
+            if (!ownsKey(key)) return false;
+            event->accept();
+            return true;
+        case QEvent::FocusOut:
+            setSpaceDown(false);
+            return false;
+        case QEvent::Leave:
+            leave();
+            return false;
+        case QEvent::PaletteChange:
+            m_view.showLooks();
+            return false;
+        default:
+            return QObject::eventFilter(watched, event);
+    }
+}
+
+Tool* Viewport::toolAt(const QPointF& at) const {
+    return m_over && !m_looks.hidden && m_over->wants(at) ? m_over : m_tool;
+}
+
+/// The event may have activated another tool.
+void Viewport::useTool(Tool* tool) {
+    if (tool != m_over && m_tool) tool = m_tool;
+    updateCursor();
+    if (tool == m_over) m_widget.setCursor(tool->cursor());
+    tellHint(*tool);
+}
+
+/// A navigation button navigates, unless it was pressed on an item of the tool.
+bool Viewport::isForTool(const QMouseEvent& event, const Tool& tool) const {
+    return event.button() == Qt::LeftButton && (!m_view.navigatesBy(event) || tool.wants(event.position()));
+}
+
+/// Returns whether the left button pans: with the space bar, or by the pan tool.
+bool Viewport::pansBy(const QMouseEvent& event, const Tool* tool) const {
+    return event.button() == Qt::LeftButton && !m_active && (m_spaceDown || (tool && tool->pans()));
+}
+
+/// The tool has the pointer from now on.
+void Viewport::give(Tool* tool, const QMouseEvent& event, void (Tool::*what)(const QMouseEvent&)) {
+    m_active = tool;
+    m_activeButton = event.button();
+    (tool->*what)(event);
+    useTool(tool);
+    m_overlay.update();
+}
+
+void Viewport::press(QMouseEvent& event) {
+    m_widget.setFocus(Qt::MouseFocusReason);
+    m_pressedAt = event.position();
+    if (event.button() == m_activeButton) m_active = nullptr;  // its release event was lost
+    Tool* tool = toolAt(event.position());
+    const bool pans = pansBy(event, tool);
+    m_asksMenu = false;
+    if (!pans && !m_active && tool && (tool->takesButton(event) || isForTool(event, *tool)))
+        return give(tool, event, &Tool::press);
+    m_asksMenu = !m_active && event.button() == Qt::RightButton;
+    if (!m_active) m_view.navigate(event, pans);
+    updateCursor();
+}
+
+/// The second press of a double click, unless the tool has a meaning for the two.
+void Viewport::doubleClick(QMouseEvent& event) {
+    Tool* tool = toolAt(event.position());
+    if (!tool || m_active || pansBy(event, tool) || !isForTool(event, *tool)) return press(event);
+    give(tool, event, &Tool::doubleClick);
+}
+
+/// Ignores a late move from before the press, which has no button pressed.
+void Viewport::move(QMouseEvent& event) {
+    if (m_active && event.buttons() == Qt::NoButton) return;
+    m_pointer = event.position();
+    emit pointed(m_view.pointerText(*m_pointer));
+    if (!m_active && m_view.isNavigating()) return m_view.navigate(event, false);
+    Tool* tool = m_active ? m_active : toolAt(event.position());
+    if (!m_active && m_over && tool != m_over) m_over->move(event);
+    if (!tool) return;
+    tool->move(event);
+    nameHovered();
+    useTool(tool);
+}
+
+/// A menu takes the pointer: not in the middle of a gesture, nor after the view was moved.
+void Viewport::release(QMouseEvent& event) {
+    if (m_active) {
+        if (event.button() != m_activeButton) return;
+        Tool* tool = std::exchange(m_active, nullptr);
+        tool->release(event);
+        useTool(tool);
+        m_overlay.update();
+        return;
+    }
+    const bool click = (event.position() - m_pressedAt).manhattanLength() <= kClickPixels;
+    const bool moved = m_view.isNavigating();
+    const bool asks = event.button() == Qt::RightButton && event.buttons() == Qt::NoButton && m_asksMenu;
+    if (asks && m_tool && (click || !moved)) {
+        m_view.endNavigation();
+        const MenuPlace place = m_tool->menuAt(event.position());
+        if (place != MenuPlace::None) emit menuWanted(event.globalPosition().toPoint(), place);
+        return;
+    }
+    m_view.navigate(event, false);
+    updateCursor();
+    if (!moved || m_spaceDown || !click || event.button() != Qt::LeftButton || !m_tool) return;
+    m_tool->press(event);  // a click belongs to the tool even if the left button rotates the view
+    m_tool->release(event);
+    useTool(m_tool);
+}
+
+void Viewport::leave() {
+    if (m_tool) m_tool->leave();
+    nameHovered();
+    m_overlay.update();
+    m_pointer.reset();
+    emit pointed({});
+}
+
+/// Shows the name of the hovered handle after a moment, so that names do not flicker past.
+void Viewport::nameHovered() {
+    if (std::exchange(m_pointedAt, hovered()) == hovered()) return;
+    m_named = -1;
+    m_pointedAt < 0 ? m_nameDue.stop() : m_nameDue.start();
+}
+
+bool Viewport::pressKey(QKeyEvent& event) {
+    if (event.key() == Qt::Key_Space && !m_active) {
+        if (!event.isAutoRepeat()) setSpaceDown(true);
+        return true;
+    }
+    Tool* tool = m_active ? m_active : m_tool;
+    if (!tool || !tool->key(event)) return false;
+    useTool(tool);
+    m_overlay.update();
+    if (m_tool == m_active && event.key() == Qt::Key_Escape) m_active = nullptr;
+    return true;
+}
+
+/// During a gesture all plain keys belong to the tool; arrows, Escape and Space belong to the focused view,
+/// even if they are shortcuts.
+bool Viewport::ownsKey(const QKeyEvent& event) const {
+    const int key = event.key();
+    const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    return (m_tool && m_tool->ownsKey(event)) || (m_active && plain) || key == Qt::Key_Escape ||
+           key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down);
+}
+
+void Viewport::setSpaceDown(bool down) {
+    m_spaceDown = down;
+    updateCursor();
+}
+
+void Viewport::updateCursor() {
+    if (m_view.isPanning())
+        m_widget.setCursor(Qt::ClosedHandCursor);
+    else if (m_spaceDown)
+        m_widget.setCursor(Qt::OpenHandCursor);
+    else
+        m_widget.setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
 }
 
 }  // namespace wend

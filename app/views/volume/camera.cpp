@@ -6,6 +6,7 @@
 #include <numbers>
 
 namespace wend {
+
 namespace {
 
 constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
@@ -25,6 +26,9 @@ Vec<3> rounded(const Vec<3>& p, double size) {
     const int digits = std::clamp(6 - static_cast<int>(std::floor(std::log10(size))), 0, 300);
     return p.unaryExpr([&](double x) { return QString::number(x, 'f', digits).toDouble(); });
 }
+
+constexpr double kRadiansPerPixel = 0.008;
+constexpr double kClickPixels = 4;
 
 }  // namespace
 
@@ -206,6 +210,44 @@ Vec<3> Camera::project(const Vec<3>& p, const QSize& viewport) const {
     const Eigen::Vector4d clip = projection(viewport) * view() * p.homogeneous();
     const Vec<3> device = clip.head<3>() / clip.w();
     return {(device.x() + 1) / 2 * viewport.width(), (1 - device.y()) / 2 * viewport.height(), device.z()};
+}
+
+Navigation::Drag Navigation::dragFor(const QMouseEvent& event) const {
+    const bool shift = event.modifiers() & Qt::ShiftModifier,
+               control = event.modifiers() & Qt::ControlModifier, alt = event.modifiers() & Qt::AltModifier;
+    const auto button = event.button();
+    if (m_preset == NavigationPreset::VtkLike) {
+        if (button == Qt::LeftButton) return shift ? Drag::Pan : Drag::Orbit;
+        if (button == Qt::MiddleButton) return Drag::Pan;
+        return button == Qt::RightButton ? Drag::Zoom : Drag::None;
+    }
+    const bool right = m_preset == NavigationPreset::Wend && button == Qt::RightButton;
+    // Alt with the left button replaces a missing middle button.
+    if (button != Qt::MiddleButton && !right && !(alt && button == Qt::LeftButton)) return Drag::None;
+    if (shift) return Drag::Pan;
+    return control ? Drag::Zoom : Drag::Orbit;
+}
+
+bool Navigation::isClick(const QMouseEvent& event) const {
+    return (event.position() - m_pressed).manhattanLength() <= kClickPixels;
+}
+
+void Navigation::press(const QMouseEvent& event) {
+    m_last = m_pressed = event.position();
+    m_drag = dragFor(event);
+}
+
+void Navigation::pressToPan(const QMouseEvent& event) {
+    press(event);
+    m_drag = Drag::Pan;
+}
+
+void Navigation::move(const QMouseEvent& event, Camera& camera, const QSize& view) {
+    const QPointF step = event.position() - std::exchange(m_last, event.position());
+    if (m_drag == Drag::Orbit) camera.orbit(step.x() * kRadiansPerPixel, step.y() * kRadiansPerPixel);
+    if (m_drag == Drag::Pan) camera.pan(step.x(), step.y(), view);
+    if (m_drag == Drag::Zoom)
+        camera.zoom(std::exp(-0.01 * step.y()), {view.width() / 2.0, view.height() / 2.0}, view);
 }
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/engine/motion/frame.h"
+#include "app/engine/shape/pose_faults.h"
 #include "app/views/volume/surface_renderer.h"
 
 namespace wend {
@@ -16,5 +17,10 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points<
 /// the surface, for drawn cells whose B is not the identity.
 std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
                                             QRgb colour);
+
+/// The triangles that cross and the faces of the cells that have blown up, a little outside, but for those
+/// with a corner that is `hidden`.
+std::vector<DrawVertex> faultMarks(const PosedFrame<3>& frame, const PoseFaults<3>& faults,
+                                   const std::function<bool(const Vec<3>&)>& hidden);
 
 }  // namespace wend

@@ -1,9 +1,15 @@
 #include "app/views/volume/solid_canvas.h"
 
+#include <QLocale>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
 #include <utility>
 
 #include "app/engine/shape/shape.h"
+#include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/session/pins/pin_shapes.h"
 #include "app/style/colours.h"
 #include "app/style/smooth_map.h"
 #include "app/style/theme.h"
@@ -35,6 +41,33 @@ class Overlay : public QWidget {
   private:
     SolidCanvas& m_canvas;
 };
+
+/// Adds the directions of a selected curve, which may be far from it.
+void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& points) {
+    for (const PinMotion& motion : handle.motions) {
+        const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
+        const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
+        if (!curve || curve->points.empty() || at == path.times.end()) continue;
+        const Vec<3> start = path.points[static_cast<std::size_t>(at - path.times.begin())];
+        for (const Vec<3>& p : curve->points) points.push_back(start + p - curve->points.front());
+    }
+}
+
+/// Returns the points of the pins and their paths as they are drawn.
+std::vector<Vec<3>> pathPoints(ShapeSession& session) {
+    std::vector<Vec<3>> points;
+    for (const PinView& view : session.pins()) points.push_back(view.centre);
+    const auto& handles = session.document().design().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        const auto starts = session.pathStarts(h);
+        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
+        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
+            points.insert(points.end(), path.points.begin(), path.points.end());
+            if (session.selection().contains(h)) addDirections(handles[h], path, points);
+        }
+    }
+    return points;
+}
 
 }  // namespace
 
@@ -236,6 +269,140 @@ void SolidCanvas::resizeEvent(QResizeEvent* event) {
     VolumeView::resizeEvent(event);
     m_overlay->setGeometry(rect());
     if (m_fitted && !m_held) fit();
+}
+
+// --- The viewpoint of a solid and its storage in the project ---
+
+/// Returns the points to fit the view to, with pins and paths.
+Points<3> SolidCanvas::fitted() const {
+    const Points<3> drawn = VolumeView::fitted();
+    if (m_viewport.looks().hidden || !m_session.frame<3>()) return drawn;
+    const std::vector<Vec<3>> marked = pathPoints(m_session);
+    Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
+    all.leftCols(drawn.cols()) = drawn;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        all.col(drawn.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+    return all;
+}
+
+/// Sets the default view for documents without a camera.
+void SolidCanvas::lookAtFirst() {
+    camera().setUpAxis(m_session.document().up());
+    camera().setOrthographic(false);
+    look(Camera::Axis::Isometric);
+}
+
+/// Restores the camera after fitting, which sets the depth range.
+void SolidCanvas::takeKeptCamera() {
+    const auto& kept = m_session.document().camera();
+    m_asOpened.reset();
+    if (!kept) return;
+    camera().restore(*kept);
+    m_asOpened = camera().saved();
+    m_fitted = false;
+    update();
+    emit cameraChanged();
+}
+
+void SolidCanvas::takeUpAxis() {
+    const Document& document = m_session.document();
+    if (document.dimension() != 3 || document.generation() != m_generation) return;
+    const UpAxis up = document.up();
+    if (up == camera().upAxis()) return;
+    camera().setUpAxis(up);
+    fit();
+}
+
+/// Keeps the document's camera unless the user has moved it.
+void SolidCanvas::keepCamera() {
+    Document& document = m_session.document();
+    if (!m_session.frame<3>() || document.generation() != m_generation) return;
+    const SavedCamera now = camera().saved();
+    if (m_asOpened == now) return;
+    Camera first = camera();
+    first.setOrthographic(false);
+    first.look(Camera::Axis::Isometric);
+    const bool isTurned = now.parallel || !first.direction().isApprox(camera().direction(), 1e-6);
+    if (!m_fitted) first.fit(fitted(), size());
+    document.setCamera(isTurned || (!m_fitted && first.saved() != now) ? std::optional(now) : std::nullopt);
+}
+
+// --- The cut ---
+
+CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
+    CutPlane plane;
+    plane.normal = normal;
+    const auto frame = m_session.frame<3>();
+    if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
+    return plane;
+}
+
+/// Cuts away the near half: along the world axis closest to the viewing direction, or along the normal chosen
+/// in this document.
+Vec<3> SolidCanvas::normalToViewer() const {
+    const Vec<3> way = viewDirection();
+    Vec<3> normal = m_cutTool.plane().normal;
+    if (!m_planeChosen) {
+        int axis = 0;
+        way.cwiseAbs().maxCoeff(&axis);
+        normal = Vec<3>::Unit(axis);
+    }
+    return normal.dot(way) > 0 ? Vec<3>(-normal) : normal;
+}
+
+void SolidCanvas::setCutKind(CutKind kind) {
+    if (kind == cut() || (kind != CutKind::None && !m_session.frame<3>())) {
+        emit cutChanged();
+        return;
+    }
+    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
+    m_cutTool.setActive(kind != CutKind::None);
+    setCut(kind, m_cutTool.plane());
+    refresh();
+    emit cutChanged();
+}
+
+void SolidCanvas::setCutPlane(const CutPlane& plane) {
+    m_planeChosen = true;
+    m_cutTool.setPlane(plane);
+    setCut(cut(), plane);
+    refresh();
+    emit cutChanged();
+}
+
+// --- Navigation and picking in a solid ---
+
+void SolidCanvas::navigate(QMouseEvent& event, bool pans) {
+    if (pans)
+        navigation().pressToPan(event);
+    else if (event.type() == QEvent::MouseMove)
+        m_fitted = false, VolumeView::mouseMoveEvent(&event);
+    else if (event.type() == QEvent::MouseButtonRelease)
+        VolumeView::mouseReleaseEvent(&event);
+    else
+        VolumeView::mousePressEvent(&event);
+}
+
+QString SolidCanvas::pointerText(const QPointF& at) {
+    const bool busy = navigation().isGoingOn() || m_session.isDragging() || !m_session.frame<3>();
+    const SolidHit hit = busy ? SolidHit{} : pick(at);
+    if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
+    if (hit.cell < 0) return {};
+    const QLocale locale;
+    const double minimum = 1e-9 * m_session.frame()->diagonal;
+    const auto number = [&](double x) { return locale.toString(std::abs(x) < minimum ? 0.0 : x, 'g', 4); };
+    QString text =
+        QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
+    text = tr("Cell %1").arg(hit.cell) + QStringLiteral("   ") + text;
+    if (!m_viewport.looks().map) return text;
+    const Measure measure = m_viewport.looks().colours.measure;
+    const double value = shownValues(m_session, measure)[hit.cell];
+    return measureName(measure, 3) + ' ' + measureText(measure, value) + QStringLiteral("   ") + text;
+}
+
+void SolidCanvas::wheelEvent(QWheelEvent* event) {
+    m_fitted = false;
+    VolumeView::wheelEvent(event);
 }
 
 }  // namespace wend

@@ -1,6 +1,24 @@
 #include "app/views/volume/volume_picture.h"
 
+#include <algorithm>
+
+#include "app/engine/shape/picture_file.h"
+
 namespace wend {
+
+namespace {
+
+constexpr int kLargest = 4096;  // pixels
+
+QImage textureOf(const SkinMaterial& material) {
+    if (material.texture.empty()) return {};
+    const QImage image = pictureOfFile(material.texture);
+    if (std::max(image.width(), image.height()) <= kLargest) return image;
+    return image.scaled(kLargest, kLargest, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGBA8888);
+}
+
+}  // namespace
 
 QRgb dimmed(QRgb colour) {
     const auto half = [](int x) { return (x + 128) / 2; };
@@ -17,6 +35,17 @@ VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::a
     picture.facets = std::move(facets);
     picture.cellColours = std::move(colours);
     return picture;
+}
+
+std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread) {
+    std::vector<QImage> pictures;
+    if (!skin) return pictures;
+    for (const SkinMaterial& material : skin->materials) {
+        pictures.push_back(textureOf(material));
+        const QString file = QString::fromStdString(material.texture);
+        if (unread && !file.isEmpty() && pictures.back().isNull() && !unread->contains(file)) *unread << file;
+    }
+    return pictures;
 }
 
 }  // namespace wend

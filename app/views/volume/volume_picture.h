@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QImage>
 #include <QRgb>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,5 +54,9 @@ QRgb dimmed(QRgb colour);
 /// Returns a surface alone, without tetrahedra, with one colour per triangle.
 VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
                                std::vector<QRgb> colours);
+
+/// Reads the pictures of the skin's materials, scaled to what every GPU supports; null if there is none or it
+/// cannot be read. Empty without a skin. `unread` receives the unreadable files.
+std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread = nullptr);
 
 }  // namespace wend

@@ -9,10 +9,8 @@
 #include <optional>
 
 #include "app/views/volume/camera.h"
-#include "app/views/volume/contour.h"
-#include "app/views/volume/navigation.h"
+#include "app/views/volume/line_renderer.h"
 #include "app/views/volume/ray_casting.h"
-#include "app/views/volume/skin_casting.h"
 #include "app/views/volume/surface_renderer.h"
 #include "app/views/volume/volume_picture.h"
 #include "core/mesh/cut_plane.h"

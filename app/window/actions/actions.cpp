@@ -4,10 +4,9 @@
 #include <QMenuBar>
 #include <QUndoStack>
 
-#include "app/window/actions/backdrop_choice.h"
 #include "app/window/actions/language_choice.h"
-#include "app/window/actions/menu_letters.h"
-#include "app/window/actions/menu_reasons.h"
+#include "app/window/actions/look_choices.h"
+#include "app/window/actions/menus.h"
 #include "app/window/actions/toolbox.h"
 
 namespace wend {

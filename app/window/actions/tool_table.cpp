@@ -1,6 +1,5 @@
 #include "app/window/actions/tool_table.h"
 
-#include "app/tools/crop_tool.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/mesh/outline_tool.h"
 #include "app/tools/mesh/size_tool.h"
@@ -8,11 +7,8 @@
 #include "app/tools/paint/fill_tool.h"
 #include "app/tools/paint/gradient_tool.h"
 #include "app/tools/paint/paint_tool.h"
-#include "app/tools/pan_tool.h"
-#include "app/tools/pins/grab_tool.h"
-#include "app/tools/pins/pen_tool.h"
 #include "app/tools/pins/pin_tool.h"
-#include "app/tools/pins/region_tool.h"
+#include "app/tools/tool_kinds.h"
 
 namespace wend {
 

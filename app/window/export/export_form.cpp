@@ -1,10 +1,13 @@
 #include "app/window/export/export_form.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "app/base/in_background.h"
@@ -15,7 +18,7 @@
 #include "app/output/svg_export.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/window/export/answer.h"
+#include "app/window/export/export_button.h"
 #include "app/window/export/export_formats.h"
 #include "core/base/error.h"
 #include "warp/film_format.h"
@@ -27,6 +30,8 @@ namespace {
 
 constexpr int kFilmRole = Qt::UserRole + 1;  // of a format's entry: whether it is a film
 constexpr int kLow = 140;                    // of a preview above its fields, where room is scarce
+
+constexpr int kNumberWidth = 140;  // common width, since they are in one column
 
 }  // namespace
 
@@ -55,10 +60,6 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     m_previewTimer.setSingleShot(true);
     m_previewTimer.setInterval(40);
     connect(&m_previewTimer, &QTimer::timeout, this, &ExportForm::startPreview);
-}
-
-ExportForm::~ExportForm() {
-    m_previewStop.request_stop();
 }
 
 void ExportForm::setSubject(const ExportSubject& subject) {
@@ -96,7 +97,7 @@ void ExportForm::reset() {
 
 /// Keeps the last preview unless it belongs to another document.
 void ExportForm::setNothing(const QString& why) {
-    m_previewStop.request_stop();
+    m_previews.drop();
     m_previewTimer.stop();
     m_subject.shape.reset();
     m_preview->setOutdated();
@@ -166,7 +167,7 @@ bool ExportForm::takes(const std::string& flag) const {
     if (flag == "--width") return false;  // it follows from the scale
     if (flag == "--webp") return extension() == QStringLiteral(".webp");
     if (isLayeredFile(file) && flag == "--outside") return false;
-    if (flag == "--depth" && !canWriteImage(file)) return false;
+    if (flag == "--depth" && !canWriteImage(file) && !holdsType(file, PixelType::UInt8)) return false;
     if (isSvgFile(file) && (flag == "--depth" || flag == "--outside" || flag == "--filter")) return false;
     if (flag == "--depth" && isFilm()) return false;
     if (flag == "--depth" || flag == "--outside" || flag == "--filter")
@@ -347,15 +348,13 @@ void ExportForm::preparePicture() {
 /// Starts a preview soon and cancels pending ones. The picture of a solid came with the subject.
 void ExportForm::askPreview() {
     if (shape()->dimension() == 3) return;
-    m_previewStop.request_stop();
+    m_previews.drop();
     m_preview->setOutdated();
     m_previewTimer.start();
 }
 
 void ExportForm::startPreview() {
     if (!shape() || (shape()->picture() && !m_subject.picture)) return;
-    m_previewStop.request_stop();
-    m_previewStop = std::stop_source();
     const bool dark = Theme::of(palette()).dark;
     const PreviewRequest request{kind(),
                                  extension().toStdString(),
@@ -364,12 +363,11 @@ void ExportForm::startPreview() {
                                  devicePixelRatioF(),
                                  dark ? QColor(0x5b6070) : QColor(0xbfc6dd),
                                  QColor(24, 28, 44)};
-    const std::stop_token stop = m_previewStop.get_token();
-    const auto draw = [shape = m_subject.shape, picture = m_subject.picture, request, stop] {
-        return answerOf<QImage>([&] { return exportPreview(*shape, picture, request, stop); });
+    const auto draw = [shape = m_subject.shape, picture = m_subject.picture,
+                       request](const std::stop_token& stop) {
+        return exportPreview(*shape, picture, request, stop);
     };
-    inBackground(this, draw, [this, stop](const Answer<QImage>& answer) {
-        if (stop.stop_requested()) return;
+    m_previews.ask(draw, [this](const Answer<QImage>& answer) {
         if (!answer.problem.isEmpty()) tellProblem(answer.problem);
         m_preview->setProperty("bare", !isPicture());
         m_preview->setImage(answer.value);
@@ -379,6 +377,123 @@ void ExportForm::startPreview() {
 void ExportForm::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (shape()) askPreview();
+}
+
+// --- The widgets of the form and their layout ---
+
+void ExportForm::makeFields() {
+    for (const char* flag :
+         {"--count", "--fps", "--loop", "--webp", "--depth", "--canvas", "--scale", "--width", "--outside",
+          "--filter", "--fields", "--encoding", "--msh", "--border"}) {
+        auto* field = new OptionField(flag, this);
+        m_fields << field;
+        connect(field, &OptionField::changed, this, [this, field] {
+            tie(*field);
+            adapt();
+        });
+    }
+}
+
+void ExportForm::makeCropNote(Fields place) {
+    m_crop->setObjectName(QStringLiteral("cropNote"));
+    const QString label = tr("Fit the Can&vas");
+    auto* fit = new QPushButton(place == Fields::Beside ? label : withoutKey(label), m_crop);
+    fit->setAutoDefault(false);
+    describe(fit, tr("Fit the canvas"),
+             tr("Make the canvas as large as the shape needs, so that nothing is cut off."));
+    connect(fit, &QPushButton::clicked, this, [this] { field("--canvas")->setValue("fit"); });
+    m_cropText->setWordWrap(true);
+    m_cropText->setProperty("role", "warning");
+    auto* line =
+        new QBoxLayout(place == Fields::Beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom, m_crop);
+    line->setContentsMargins(12, 8, 8, 8);
+    line->addWidget(m_cropText, 1);
+    line->addWidget(fit);
+    m_crop->setAttribute(Qt::WA_StyledBackground);
+    m_crop->hide();
+}
+
+/// A check box shows its own label.
+void ExportForm::addRow(OptionField& field, bool hasKey) {
+    if (field.option().kind == OptionKind::Flag) {
+        field.sayLabel(hasKey);
+        return m_form->addRow(&field);
+    }
+    m_form->addRow(hasKey ? field.label() : withoutKey(field.label()), &field);
+}
+
+/// Lays out the fields. Below the preview, long fields get a line of their own, and mnemonics are left to the
+/// menus.
+void ExportForm::lay(Fields place) {
+    const bool beside = place == Fields::Beside;
+    if (!beside) m_form->setHorizontalSpacing(4);
+    m_form->setVerticalSpacing(beside ? 10 : 6);
+    m_form->setRowWrapPolicy(beside ? QFormLayout::DontWrapRows : QFormLayout::WrapLongRows);
+    m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    const QString format = tr("F&ormat");
+    m_form->addRow(beside ? format : withoutKey(format), m_format);
+    for (OptionField* field : m_fields) addRow(*field, beside);
+    m_facts->setObjectName(QStringLiteral("facts"));
+    m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_facts->setWordWrap(!beside);
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem->setProperty("role", "warning");
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+    auto* fields = new QVBoxLayout;
+    fields->addLayout(m_form);
+    fields->addStretch(1);
+    auto* top = new QBoxLayout(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    top->setSpacing(beside ? 20 : 8);
+    top->addWidget(m_preview, 1);
+    if (!beside) top->addWidget(m_facts);
+    top->addLayout(fields);
+    auto* all = bareColumn(this, beside ? 12 : 8);
+    all->addLayout(top, 1);
+    if (beside) all->addWidget(m_facts);
+    all->addWidget(m_crop);
+    all->addWidget(m_problem);
+    for (auto* number : findChildren<QAbstractSpinBox*>()) number->setMinimumWidth(kNumberWidth);
+    for (QComboBox* box : findChildren<QComboBox*>()) {
+        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        if (beside) {
+            box->setMinimumWidth(220);
+        } else {
+            box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        }
+    }
+}
+
+QString ExportDialog::title(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::Picture:
+            return tr("Export Picture");
+        case ExportKind::Film:
+            return tr("Export Film");
+        case ExportKind::Frames:
+            return tr("Export Sequence");
+        case ExportKind::StMap:
+            return tr("Export ST Map");
+        case ExportKind::Mesh:
+            break;
+    }
+    return tr("Export Mesh");
+}
+
+ExportDialog::ExportDialog(const ExportSubject& subject, QWidget* parent)
+    : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, this)) {
+    setWindowTitle(title(subject.kind));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    QPushButton* write = addExportButton(*buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_form, &ExportForm::readyChanged, write, &QWidget::setEnabled);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    column->addWidget(m_form, 1);
+    column->addWidget(buttons);
+    m_form->setSubject(subject);
 }
 
 }  // namespace wend

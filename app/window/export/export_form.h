@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QDialog>
 #include <QTimer>
 #include <map>
 
+#include "app/base/latest.h"
 #include "app/project/options/option_values.h"
 #include "app/window/export/export_preview.h"
 
@@ -32,7 +34,6 @@ class ExportForm : public QWidget {
     /// Placement of the fields: beside the preview, or below it in a narrow column.
     enum class Fields { Beside, Below };
     explicit ExportForm(Fields place, QWidget* parent = nullptr);
-    ~ExportForm() override;
 
     /// Sets the subject and keeps the choices that still apply.
     void setSubject(const ExportSubject& subject);
@@ -103,7 +104,21 @@ class ExportForm : public QWidget {
     QLabel *m_facts, *m_cropText, *m_problem;
     QWidget* m_crop;
     QTimer m_previewTimer;
-    std::stop_source m_previewStop;
+    Latest m_previews{this};
+};
+
+/// Asks how something is written, before its name is asked.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    ExportDialog(const ExportSubject& subject, QWidget* parent);
+
+    static QString title(ExportKind kind);
+    ExportForm& form() const { return *m_form; }
+
+  private:
+    ExportForm* m_form;
 };
 
 }  // namespace wend

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/engine/shape/shape.h"
-#include "app/output/layer_export.h"
 #include "core/base/fed_process.h"
 #include "core/mesh/mesh_formats.h"
 #include "warp/film_format.h"
@@ -75,8 +74,8 @@ QList<ExportFormat> exportFormats(ExportKind kind, const FrameExport& shape) {
     if (kind == ExportKind::Picture && shape.hasParts())
         pictures << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (OpenRaster)"),
                                  QStringLiteral(".ora")}
-                 << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (TIFF)"),
-                                 QString::fromUtf8(kLayeredTiff)};
+                 << ExportFormat{QCoreApplication::translate("ExportFormats", "Layers (Photoshop)"),
+                                 QStringLiteral(".psd")};
     if (kind == ExportKind::Picture) return pictures;
     if (kind == ExportKind::StMap) return kMaps;
     if (kind == ExportKind::Film) return pictureFilms();

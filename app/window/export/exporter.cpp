@@ -10,12 +10,11 @@
 
 #include "app/base/in_background.h"
 #include "app/base/said.h"
-#include "app/output/layer_export.h"
 #include "app/output/own_files.h"
 #include "app/output/run_options.h"
 #include "app/output/shape_file.h"
 #include "app/session/opening.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/export/save_dialog.h"
 #include "core/base/error.h"
 
@@ -158,12 +157,6 @@ void Exporter::ask(ExportKind kind) {
 bool Exporter::writeAs(const ExportForm& form) {
     const RunOptions options = runOptionsFrom(form.values());
     const QString path = askName(form);
-    const bool hasLayers =
-        form.kind() == ExportKind::Picture && form.extension() == QLatin1String(kLayeredTiff);
-    if (!path.isEmpty() && hasLayers && !isLayeredFile(path.toStdString())) {
-        emit failed(tr("The name of a TIFF with layers ends in %1.").arg(form.extension()));
-        return false;
-    }
     if (path.isEmpty() || !mayReplace(form.kind(), path, options.outputs.count)) return false;
     write(form.kind(), path, options);
     return true;
@@ -205,8 +198,7 @@ void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
     run(workOf(kind, options.outputs.count), path, deforming,
         [=](const RunWatch& watch, std::string& remark) {
             RunWatch heard = watch;
-            // Meshes and layers name what their format does not hold.
-            if (kind != ExportKind::Mesh && !isLayeredFile(path.toStdString())) heard.notice = {};
+            if (kind != ExportKind::Mesh) heard.notice = {};  // a mesh names what its format does not hold
             shape->write(kind, path.toStdString(), options, heard, remark);
         });
 }

@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QRegularExpression>
 
 namespace wend {
 
@@ -11,9 +10,7 @@ QString askFileToWrite(QWidget* parent, const QString& title, const QString& pro
     const QFileInfo proposed(proposal);
     QFileDialog dialog(parent, title, proposed.absolutePath(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    static const QRegularExpression onlyOne(QStringLiteral(R"(\(\*\.([^ )]+)\)$)"));
-    const QRegularExpressionMatch extension = onlyOne.match(filter);
-    dialog.setDefaultSuffix(extension.hasMatch() ? extension.captured(1) : proposed.suffix());
+    dialog.setDefaultSuffix(proposed.suffix());
     dialog.selectFile(proposed.fileName());
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }

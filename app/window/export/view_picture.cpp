@@ -110,9 +110,9 @@ void runBeside(const std::function<void()>& job) {
 
 /// Shows the progress of a cancellable job. It is modal from the start, so that the view cannot be changed
 /// meanwhile.
-class Progress {
+class WritingProgress {
   public:
-    Progress(const QString& what, int steps, SolidCanvas& canvas)
+    WritingProgress(const QString& what, int steps, SolidCanvas& canvas)
         : m_dialog(what, SolidCanvas::tr("Cancel"), 0, steps, canvas.window()) {
         QObject::connect(&m_dialog, &QProgressDialog::canceled, [this] { m_stop.request_stop(); });
         QObject::connect(&canvas, &QObject::destroyed, &m_dialog, [this] { m_stop.request_stop(); });
@@ -134,7 +134,7 @@ class Progress {
 };
 
 void writeStrips(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
-    Progress progress(SolidCanvas::tr("Writing the picture …"), choice.size.height(), canvas);
+    WritingProgress progress(SolidCanvas::tr("Writing the picture …"), choice.size.height(), canvas);
     const MakeRows makeRows = [&](int top, Image& strip) {
         progress.throwIfStopped();
         const int rows = strip.height;
@@ -159,7 +159,7 @@ class TimeKeeper {
 /// Draws each frame in the window's thread, which processes events in between; encoding runs in the
 /// background.
 void writeFrames(const std::string& path, SolidCanvas& canvas, const PictureChoice& choice) {
-    Progress progress(SolidCanvas::tr("Writing the film …"), choice.frames, canvas);
+    WritingProgress progress(SolidCanvas::tr("Writing the film …"), choice.frames, canvas);
     Playback& playback = canvas.session().playback();
     playback.setPlaying(false);
     const TimeKeeper keeper(playback);

@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QCoreApplication>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -10,21 +11,70 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <memory>
 
-#include "app/base/in_background.h"
 #include "app/base/preferences.h"
 #include "app/base/said.h"
 #include "app/output/own_files.h"
+#include "app/project/edits/handle_edits.h"
+#include "app/project/project_fwd.h"
 #include "app/session/opening.h"
+#include "app/views/canvas/canvas.h"
 #include "app/window/export/save_dialog.h"
 #include "app/window/files/project_watch.h"
-#include "app/window/files/sample_names.h"
 #include "core/base/error.h"
 #include "core/base/printable.h"
 
 namespace wend {
 
 namespace {
+
+// Names in the samples.
+[[maybe_unused]] constexpr const char* kNames[] = {
+    QT_TRANSLATE_NOOP("SampleNames", "back"),
+    QT_TRANSLATE_NOOP("SampleNames", "body"),
+    QT_TRANSLATE_NOOP("SampleNames", "chest"),
+    QT_TRANSLATE_NOOP("SampleNames", "face"),
+    QT_TRANSLATE_NOOP("SampleNames", "far front hoof"),
+    QT_TRANSLATE_NOOP("SampleNames", "far hand"),
+    QT_TRANSLATE_NOOP("SampleNames", "far heel"),
+    QT_TRANSLATE_NOOP("SampleNames", "far hind hoof"),
+    QT_TRANSLATE_NOOP("SampleNames", "far toe"),
+    QT_TRANSLATE_NOOP("SampleNames", "front hoof"),
+    QT_TRANSLATE_NOOP("SampleNames", "head"),
+    QT_TRANSLATE_NOOP("SampleNames", "hind hoof"),
+    QT_TRANSLATE_NOOP("SampleNames", "left elbow"),
+    QT_TRANSLATE_NOOP("SampleNames", "left end"),
+    QT_TRANSLATE_NOOP("SampleNames", "left eye"),
+    QT_TRANSLATE_NOOP("SampleNames", "left foot"),
+    QT_TRANSLATE_NOOP("SampleNames", "left hand"),
+    QT_TRANSLATE_NOOP("SampleNames", "left lower arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "left middle arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "left upper arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "left wing"),
+    QT_TRANSLATE_NOOP("SampleNames", "near hand"),
+    QT_TRANSLATE_NOOP("SampleNames", "near heel"),
+    QT_TRANSLATE_NOOP("SampleNames", "near toe"),
+    QT_TRANSLATE_NOOP("SampleNames", "right end"),
+    QT_TRANSLATE_NOOP("SampleNames", "right eye"),
+    QT_TRANSLATE_NOOP("SampleNames", "right foot"),
+    QT_TRANSLATE_NOOP("SampleNames", "right lower arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "right middle arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "right upper arm"),
+    QT_TRANSLATE_NOOP("SampleNames", "right wing"),
+    QT_TRANSLATE_NOOP("SampleNames", "rump"),
+    QT_TRANSLATE_NOOP("SampleNames", "shadow"),
+    QT_TRANSLATE_NOOP("SampleNames", "shoulder"),
+    QT_TRANSLATE_NOOP("SampleNames", "stiff"),
+    QT_TRANSLATE_NOOP("SampleNames", "tail"),
+};
+
+/// Returns a sample with translated names of pins and layers; the same project in English.
+std::shared_ptr<const Project> withSpokenNames(const std::shared_ptr<const Project>& sample) {
+    return withNames(sample, [](const std::string& name) {
+        return QCoreApplication::translate("SampleNames", name.c_str()).toStdString();
+    });
+}
 
 using Topic = InfoBanner::Topic;
 
@@ -34,9 +84,11 @@ QString words(const std::exception& error) {
     return said(error);
 }
 
+constexpr int kBusyDelay = 150;  // milliseconds
+
 }  // namespace
 
-/// The result of reading a file in the background, or its error. (Futures would slice the exception.)
+/// The result of reading a file in the background, or its error.
 struct Reading {
     QString path;
     OpenedFile file;
@@ -91,10 +143,12 @@ FileWorkflow::FileWorkflow(Document& document, QWidget& window)
 
 void FileWorkflow::askOpen() {
     const QString all = QStringLiteral("*.wend ") + pictureExtensions() + ' ' + meshExtensions();
-    const QString filters = tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
-                            tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
-                            tr("Projects (*.wend)") + QStringLiteral(";;") +
-                            tr("Meshes (%1)").arg(meshExtensions());
+    const QString filters =
+        tr("All that Wend opens (%1)").arg(all) + QStringLiteral(";;") +
+        tr("Pictures (%1)").arg(pictureExtensions()) + QStringLiteral(";;") +
+        tr("Pictures with layers (%1)").arg(QStringLiteral("*.psd *.psb *.ora *.kra *.svg")) +
+        QStringLiteral(";;") + tr("Projects (*.wend)") + QStringLiteral(";;") +
+        tr("Meshes (%1)").arg(meshExtensions());
     openAll(QFileDialog::getOpenFileNames(&m_window, tr("Open"), preferences::folder.value(), filters));
 }
 
@@ -112,21 +166,18 @@ void FileWorkflow::open(const QString& path) {
 }
 
 void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader) {
-    const int ticket = ++m_ticket;
     say(Topic::Opening, {});
     emit openingChanged(QFileInfo(path).fileName());
     const auto before = m_document.project();
     const auto work = [path, found = m_found, reader = std::move(reader)] {
         return tryToRead(path, found, reader);
     };
-    inBackground(this, work, [this, ticket, before](const Reading& reading) {
+    m_opening.ask(work, [this, before](const Answer<Reading>& answer) {
+        const Reading& reading = answer.value;
         emit openingChanged({});
-        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) {
-            tellOf(reading);
-        } else if (ticket == m_ticket) {
-            const bool changedMeanwhile = m_document.project() != before;
-            if (!changedMeanwhile || mayLeave()) take(reading);
-        }
+        if (!reading.error.isEmpty() || !reading.missing.isEmpty()) return tellOf(reading);
+        const bool changedMeanwhile = m_document.project() != before;
+        if (!changedMeanwhile || mayLeave()) take(reading);
     });
 }
 
@@ -325,7 +376,8 @@ bool FileWorkflow::write(const QString& path) {
 
 void FileWorkflow::close() {
     if (!mayLeave()) return;
-    ++m_ticket;
+    m_opening.drop();
+    emit openingChanged({});
     m_document.close();
 }
 
@@ -393,6 +445,58 @@ void FileWorkflow::fillSamples(QMenu& menu) {
     for (const QString& path : samplePaths())
         menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
     menu.setEnabled(!menu.isEmpty());
+}
+
+/// The file is opened in the same turn of the event loop, so the note stays visible in between.
+OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over)
+    : QLabel(&over), m_canvas(canvas) {
+    setObjectName(QStringLiteral("busyNote"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAlignment(Qt::AlignCenter);
+    setMargin(14);
+    setTextFormat(Qt::PlainText);
+    hide();
+    over.installEventFilter(this);
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(kBusyDelay);
+    connect(&m_delay, &QTimer::timeout, this, [this] {
+        place();
+        show();
+        raise();
+    });
+    connect(&files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
+        m_reads = !name.isEmpty();
+        if (m_reads) m_name = name;
+    });
+    connect(&files, &FileWorkflow::openingChanged, this, &OpeningNote::refresh, Qt::QueuedConnection);
+    connect(&m_canvas, &ShapeCanvas::prepared, this, &OpeningNote::refresh);
+}
+
+void OpeningNote::showText(const QString& text) {
+    setText(text);
+    setAccessibleName(text);
+    if (text.isEmpty()) {
+        m_delay.stop();
+        hide();
+    } else if (isHidden() && !m_delay.isActive()) {
+        m_delay.start();
+    }
+    place();
+    raise();  // over a page that came
+}
+
+void OpeningNote::place() {
+    resize(sizeHint().boundedTo(parentWidget()->size()));
+    move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
+}
+
+bool OpeningNote::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) place();
+    return QLabel::eventFilter(watched, event);
+}
+
+void OpeningNote::refresh() {
+    showText(m_reads || m_canvas.isPreparing() ? tr("Opening %1 …").arg(m_name) : QString());
 }
 
 }  // namespace wend

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <QLabel>
 #include <QMap>
 #include <QObject>
+#include <QString>
+#include <QTimer>
 #include <functional>
 
+#include "app/base/latest.h"
 #include "app/project/edits/recovery.h"
 #include "app/window/notices/info_banner.h"
 
@@ -14,6 +18,7 @@ namespace wend {
 
 class ProjectWatch;
 struct Reading;
+class ShapeCanvas;
 
 /// Opening, saving and closing with all their questions: files are read in the background, changes are never
 /// lost unasked.
@@ -84,7 +89,30 @@ class FileWorkflow : public QObject {
     QString m_copies;         // the folder of unsaved changes
     QString m_recoveredFrom;  // the copy that the document came from, until there is a new one
     std::function<bool()> m_isPractice;
-    int m_ticket = 0;  // of the newest opening; results of older ones are ignored
+    Latest m_opening{this};
+};
+
+/// Names the file that is being opened, in the middle of a widget, if that takes more than a moment, until
+/// its picture is visible; later work is shown by WorkNote.
+class OpeningNote : public QLabel {
+    Q_OBJECT
+
+  public:
+    OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void refresh();
+    /// An empty text takes it away.
+    void showText(const QString& text);
+    void place();
+
+    ShapeCanvas& m_canvas;
+    bool m_reads = false;
+    QString m_name;
+    QTimer m_delay;
 };
 
 }  // namespace wend

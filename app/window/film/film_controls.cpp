@@ -33,18 +33,20 @@ FilmControls::FilmControls(const Parts& parts, QObject* parent) : QObject(parent
     connect(a.loop, &QAction::toggled, &playback, &Playback::setLoops);
     connect(&m_parts.session.document(), &Document::projectChanged, this, &FilmControls::takeCycle);
     connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::takeCycle);
-    connect(a.record, &QAction::toggled, &m_parts.session, &ShapeSession::setRecording);
+    connect(a.record, &QAction::toggled, &m_parts.session.gestures(), &ShapeGesture::setRecording);
     const auto pose = [this, &a] {
-        m_parts.session.setPosing(a.poseHere->isChecked() && m_parts.tools.mode() == Mode::Animate);
+        m_parts.session.gestures().setPosing(a.poseHere->isChecked() &&
+                                             m_parts.tools.mode() == Mode::Animate);
     };
     connect(a.poseHere, &QAction::toggled, this, pose);
     connect(&m_parts.tools, &Toolbox::changed, this, pose);
-    connect(a.keepWay, &QAction::toggled, &m_parts.session, &ShapeSession::setKeepsWay);
+    connect(a.keepWay, &QAction::toggled, &m_parts.session.gestures(), &ShapeGesture::setKeepsWay);
     connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
         playback.setSpeed(chosen->data().toDouble());
         a.setSpeed(playback.speed());
     });
-    connect(a.settle, &QAction::triggered, this, [this] { settleAtEnd(m_parts.session); });
+    connect(a.settle, &QAction::triggered, this,
+            [this] { settleAtEnd(m_parts.session.document(), m_parts.session.playback()); });
     connect(&playback, &Playback::playingChanged, this, &FilmControls::showPlaying);
     connect(&m_parts.tools, &Toolbox::changed, this, &FilmControls::showTracks);
     connect(&m_parts.session.document(), &Document::opened, this, &FilmControls::showTracks);

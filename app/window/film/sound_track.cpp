@@ -41,8 +41,8 @@ void endProcess(QProcess& process) {
 
 }  // namespace
 
-SoundTrack::SoundTrack(ShapeSession& session, QObject* parent)
-    : QObject(parent), m_session(session), m_heard(preferences::soundHeard.value()) {
+SoundTrack::SoundTrack(Document& document, Playback& playback, QObject* parent)
+    : QObject(parent), m_document(document), m_playback(playback), m_heard(preferences::soundHeard.value()) {
     m_decoder.setStandardInputFile(QProcess::nullDevice());
     m_player.setStandardInputFile(QProcess::nullDevice());
     m_player.setStandardOutputFile(QProcess::nullDevice());
@@ -52,11 +52,10 @@ SoundTrack::SoundTrack(ShapeSession& session, QObject* parent)
     connect(&m_player, &QProcess::finished, this, &SoundTrack::endPiece);
     m_pieceLimit.setSingleShot(true);
     connect(&m_pieceLimit, &QTimer::timeout, &m_player, &QProcess::kill);
-    connect(&session.document(), &Document::projectChanged, this, &SoundTrack::takeProject);
-    connect(&session.document(), &Document::opened, this, &SoundTrack::takeProject);
-    connect(&session.playback(), &Playback::playingChanged, this,
-            [this](bool plays) { plays ? play() : stop(); });
-    connect(&session.playback(), &Playback::timeChanged, this, &SoundTrack::follow);
+    connect(&document, &Document::projectChanged, this, &SoundTrack::takeProject);
+    connect(&document, &Document::opened, this, &SoundTrack::takeProject);
+    connect(&playback, &Playback::playingChanged, this, [this](bool plays) { plays ? play() : stop(); });
+    connect(&playback, &Playback::timeChanged, this, &SoundTrack::follow);
     takeProject();
 }
 
@@ -68,13 +67,12 @@ SoundTrack::~SoundTrack() {
 void SoundTrack::setHeard(bool heard) {
     m_heard = heard;
     preferences::soundHeard.set(heard);
-    heard&& m_session.playback().isPlaying() ? play() : stop();
+    heard&& m_playback.isPlaying() ? play() : stop();
 }
 
 void SoundTrack::takeProject() {
-    const Document& document = m_session.document();
-    const QString name = QString::fromStdString(filmMarksOf(document).audio);
-    const QString file = name.isEmpty() ? QString() : QDir(document.folder()).absoluteFilePath(name);
+    const QString name = QString::fromStdString(filmMarksOf(m_document).audio);
+    const QString file = name.isEmpty() ? QString() : QDir(m_document.folder()).absoluteFilePath(name);
     if (file == m_file) return;
     m_file = file;
     stop();
@@ -88,7 +86,7 @@ void SoundTrack::takeProject() {
 void SoundTrack::decode() {
     const QString program = programNamed("ffmpeg");
     if (program.isEmpty()) {
-        emit m_session.notice(
+        emit notice(
             tr("The sound is not shown: that needs the program ffmpeg (Debian: sudo apt "
                "install ffmpeg)."));
         return;
@@ -120,16 +118,15 @@ void SoundTrack::read() {
 void SoundTrack::endDecoding() {
     read();
     if (m_decoder.exitCode() == 0 && m_decoder.exitStatus() == QProcess::NormalExit) return;
-    emit m_session.notice(
-        tr("The sound %1 cannot be read: is the file there?").arg(QFileInfo(m_file).fileName()));
+    emit notice(tr("The sound %1 cannot be read: is the file there?").arg(QFileInfo(m_file).fileName()));
 }
 
 void SoundTrack::play() {
     stop();
     if (!m_heard || !hasFile()) return;
-    m_from = m_session.playback().time();
+    m_from = m_playback.time();
     QStringList more;
-    if (const double speed = m_session.playback().speed(); speed != 1)  // a filter halves at most
+    if (const double speed = m_playback.speed(); speed != 1)  // a filter halves at most
         more << QStringLiteral("-af")
              << (speed < 0.5 ? QStringLiteral("atempo=0.5,atempo=%1").arg(2 * speed)
                              : QStringLiteral("atempo=%1").arg(speed));
@@ -148,7 +145,7 @@ void SoundTrack::start(double from, QStringList more) {
 }
 
 void SoundTrack::scrub(double time) {
-    if (!m_heard || !hasFile() || m_session.playback().isPlaying()) return;
+    if (!m_heard || !hasFile() || m_playback.isPlaying()) return;
     if (m_player.state() == QProcess::NotRunning)
         playPiece(time);
     else
@@ -168,9 +165,8 @@ void SoundTrack::endPiece() {
 
 /// After a loop or a pause of the computation, the sound begins anew.
 void SoundTrack::follow(double time) {
-    if (!m_heard || !hasFile() || !m_session.playback().isPlaying() || !m_since.isValid()) return;
-    const double heard =
-        m_from + 1e-3 * static_cast<double>(m_since.elapsed()) * m_session.playback().speed();
+    if (!m_heard || !hasFile() || !m_playback.isPlaying() || !m_since.isValid()) return;
+    const double heard = m_from + 1e-3 * static_cast<double>(m_since.elapsed()) * m_playback.speed();
     if (std::abs(time - heard) > kMostDrift) play();
 }
 

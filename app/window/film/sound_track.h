@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 
@@ -22,7 +23,7 @@ class SoundTrack : public QObject {
   public:
     static constexpr double kPeriod = 0.01;  // seconds
 
-    explicit SoundTrack(ShapeSession& session, QObject* parent = nullptr);
+    explicit SoundTrack(Document& document, Playback& playback, QObject* parent = nullptr);
     ~SoundTrack() override;
 
     /// Returns the greatest amplitude, from 0 to 1, of each period; what is decoded so far.
@@ -36,6 +37,8 @@ class SoundTrack : public QObject {
 
   signals:
     void changed();
+    /// Emitted with a line for the status bar.
+    void notice(QString text);
 
   private:
     void takeProject();
@@ -49,7 +52,8 @@ class SoundTrack : public QObject {
     void follow(double time);
     void stop();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     QProcess m_decoder, m_player;
     QString m_file;  // its path
     std::vector<float> m_peaks;

@@ -37,8 +37,9 @@ double roundStep(double least) {
 
 }  // namespace
 
-TimeRuler::TimeRuler(ShapeSession& session, TimeScale& scale, SoundTrack& sound, QWidget* parent)
-    : QWidget(parent), m_session(session), m_scale(scale), m_sound(sound) {
+TimeRuler::TimeRuler(Document& document, Playback& playback, TimeScale& scale, SoundTrack& sound,
+                     QWidget* parent)
+    : QWidget(parent), m_document(document), m_playback(playback), m_scale(scale), m_sound(sound) {
     setObjectName(QStringLiteral("timeRuler"));
     setMouseTracking(true);
     setAccessibleName(tr("Ruler"));
@@ -49,15 +50,15 @@ TimeRuler::TimeRuler(ShapeSession& session, TimeScale& scale, SoundTrack& sound,
     const auto arrange = [this] {
         m_drag = Drag::None;
         m_marker = -1;
-        m_marks = filmMarksOf(m_session.document());
+        m_marks = filmMarksOf(m_document);
         if (std::exchange(m_rows, rows()) != m_rows) emit rowsChanged();
         update();
     };
-    connect(&session.document(), &Document::opened, this, arrange);
-    connect(&session.document(), &Document::projectChanged, this, arrange);
+    connect(&document, &Document::opened, this, arrange);
+    connect(&document, &Document::projectChanged, this, arrange);
     connect(&sound, &SoundTrack::changed, this, arrange);
-    connect(&session.playback(), &Playback::timeChanged, this, repaint);
-    connect(&session.playback(), &Playback::endChanged, this, repaint);
+    connect(&playback, &Playback::timeChanged, this, repaint);
+    connect(&playback, &Playback::endChanged, this, repaint);
     connect(&scale, &TimeScale::changed, this, repaint);
     arrange();
 }
@@ -105,7 +106,7 @@ TimeRuler::Hit TimeRuler::hitAt(const QPointF& at) const {
 
 double TimeRuler::snapped(double x) const {
     std::vector<double> marks = {0, m_scale.end()};
-    if (m_drag != Drag::Time) marks.push_back(m_session.playback().time());
+    if (m_drag != Drag::Time) marks.push_back(m_playback.time());
     for (int i = 0; i < static_cast<int>(m_marks.markers.size()); ++i)
         if (i != m_marker) marks.push_back(m_marks.markers[i].at);
     const double time = m_scale.timeAt(x);
@@ -114,12 +115,12 @@ double TimeRuler::snapped(double x) const {
 }
 
 const Project& TimeRuler::project() const {
-    return *m_session.document().project();
+    return *m_document.project();
 }
 
 void TimeRuler::change(const QString& what, const std::shared_ptr<const Project>& next) {
-    m_session.playback().setPlaying(false);
-    m_session.document().change(what, next);
+    m_playback.setPlaying(false);
+    m_document.change(what, next);
 }
 
 void TimeRuler::mousePressEvent(QMouseEvent* event) {
@@ -140,9 +141,9 @@ void TimeRuler::mouseMoveEvent(QMouseEvent* event) {
     }
     m_now = snapped(event->position().x());
     if (m_drag == Drag::Time) {
-        m_session.playback().setPlaying(false);
-        const bool moves = m_session.playback().time() != m_now;
-        m_session.playback().setTime(m_now);
+        m_playback.setPlaying(false);
+        const bool moves = m_playback.time() != m_now;
+        m_playback.setTime(m_now);
         if (moves) m_sound.scrub(m_now);
     }
     update();
@@ -160,7 +161,7 @@ void TimeRuler::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void TimeRuler::markCycle(int end) {
-    markCycle(end, m_session.playback().time());
+    markCycle(end, m_playback.time());
 }
 
 void TimeRuler::markCycle(int end, double time) {
@@ -170,7 +171,7 @@ void TimeRuler::markCycle(int end, double time) {
 }
 
 void TimeRuler::addMarker() {
-    addMarker(m_session.playback().time());
+    addMarker(m_playback.time());
 }
 
 void TimeRuler::addMarker(double time) {
@@ -193,9 +194,8 @@ void TimeRuler::mouseDoubleClickEvent(QMouseEvent* event) {
 void TimeRuler::fillRates(QMenu& menu) {
     menu.setTitle(tr("Frame &Rate"));
     for (const double rate : {12, 15, 24, 25, 30, 50, 60}) {
-        QAction* action = menu.addAction(tr("%1 fps").arg(rate), this, [this, rate] {
-            changeSetting(m_session.document(), "time.frameRate", rate);
-        });
+        QAction* action = menu.addAction(tr("%1 fps").arg(rate), this,
+                                         [this, rate] { changeSetting(m_document, "time.frameRate", rate); });
         action->setCheckable(true);
         action->setChecked(m_scale.rate() == rate);
     }
@@ -212,7 +212,7 @@ void TimeRuler::addCycleActions(QMenu& menu, double here) {
 void TimeRuler::contextMenuEvent(QContextMenuEvent* event) {
     if (m_scale.end() <= 0 || m_drag != Drag::None) return;
     const bool isPlace = event->reason() == QContextMenuEvent::Mouse;
-    const double here = isPlace ? snapped(event->pos().x()) : m_session.playback().time();
+    const double here = isPlace ? snapped(event->pos().x()) : m_playback.time();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* poses = menu->addAction(tr("Show Key &Poses"), this, [this](bool shown) {
@@ -272,7 +272,7 @@ void TimeRuler::paintEvent(QPaintEvent*) {
     const Theme theme = Theme::of(palette());
     painter.setPen(theme.line);
     painter.drawLine(QPointF(0, height() - 0.5), QPointF(width(), height() - 0.5));
-    const double now = m_scale.xOf(m_session.playback().time());
+    const double now = m_scale.xOf(m_playback.time());
     painter.setPen(QPen(theme.accentText, 1.5));
     painter.drawLine(QPointF(now, kNumbers - 2), QPointF(now, height()));
     painter.setPen(Qt::NoPen);

@@ -4,8 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 #include "app/project/edits/film_edits.h"
-#include "app/session/shape_session.h"
 
 class QMenu;
 
@@ -20,7 +21,7 @@ class TimeRuler : public QWidget {
     Q_OBJECT
 
   public:
-    TimeRuler(ShapeSession& session, TimeScale& scale, SoundTrack& sound, QWidget* parent);
+    TimeRuler(Document& document, Playback& playback, TimeScale& scale, SoundTrack& sound, QWidget* parent);
 
     /// Returns the height that it needs: rows without content are left out.
     int rows() const;
@@ -66,7 +67,8 @@ class TimeRuler : public QWidget {
     void paintSound(QPainter& painter) const;
     int soundTop() const;
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     TimeScale& m_scale;
     SoundTrack& m_sound;
     FilmMarks m_marks;

@@ -15,8 +15,11 @@ constexpr double kArrowStep = 0.04;  // seconds, of an arrow key
 
 }  // namespace
 
-TimeScale::TimeScale(ShapeSession& session, QObject* parent)
-    : QObject(parent), m_session(session), m_countsFrames(preferences::rulerInFrames.value()) {}
+TimeScale::TimeScale(Document& document, Playback& playback, QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_playback(playback),
+      m_countsFrames(preferences::rulerInFrames.value()) {}
 
 void TimeScale::setWay(const QRect& way) {
     m_way = way;
@@ -24,7 +27,7 @@ void TimeScale::setWay(const QRect& way) {
 }
 
 double TimeScale::end() const {
-    return m_session.playback().end();
+    return m_playback.end();
 }
 
 double TimeScale::xOf(double time) const {
@@ -36,7 +39,7 @@ double TimeScale::timeAt(double x) const {
 }
 
 double TimeScale::rate() const {
-    return filmMarksOf(m_session.document()).frameRate;
+    return filmMarksOf(m_document).frameRate;
 }
 
 void TimeScale::setCountsFrames(bool counts) {

@@ -4,7 +4,8 @@
 #include <QRect>
 #include <vector>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/playback.h"
+#include "app/project/edits/document.h"
 
 namespace wend {
 
@@ -14,7 +15,7 @@ class TimeScale : public QObject {
     Q_OBJECT
 
   public:
-    explicit TimeScale(ShapeSession& session, QObject* parent = nullptr);
+    explicit TimeScale(Document& document, Playback& playback, QObject* parent = nullptr);
 
     /// The pixels of the whole film.
     const QRect& way() const { return m_way; }
@@ -39,7 +40,8 @@ class TimeScale : public QObject {
     void changed();
 
   private:
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     QRect m_way{132, 0, 252, 0};
     bool m_countsFrames;
 };

@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/panels/fields/exact_box.h"
 #include "app/panels/fields/jump_slider.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/film_edits.h"
 #include "app/style/theme.h"

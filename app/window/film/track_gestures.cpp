@@ -10,7 +10,7 @@
 #include "app/panels/fields/ease_names.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/film_edits.h"
-#include "app/project/edits/simplify_edits.h"
+#include "app/project/edits/key_edits.h"
 #include "app/project/project.h"
 #include "app/window/film/time_scale.h"
 #include "app/window/film/track_view.h"

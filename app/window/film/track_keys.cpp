@@ -135,7 +135,7 @@ void TrackView::changeKeys(const QString& what, Design after) {
                   keyTimes(after, row) != keysIn(row);
     }
     if (changes) return change(what, std::move(after));
-    emit m_session.notice(
+    m_session.notify(
         tr("Nothing changes: where a pin begins it is at rest, and rotations keep their course."));
 }
 

@@ -1,20 +1,232 @@
 #include "app/window/help/side_windows.h"
 
+#include <QDesktopServices>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QTextDocument>
 #include <QUndoView>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "app/session/shape_session.h"
+#include "app/base/program_files.h"
+#include "app/panels/fields/panel_parts.h"
+#include "app/project/edits/document.h"
+#include "app/style/theme.h"
 #include "app/window/actions/actions.h"
-#include "app/window/help/cheat_sheet.h"
-#include "app/window/help/manual_window.h"
-#include "app/window/help/shortcut_dialog.h"
+#include "app/window/help/shortcuts.h"
 
 namespace wend {
 
-SideWindows::SideWindows(ShapeSession& session, const Actions& actions, Toolbox& tools, QMainWindow& window)
-    : QObject(&window), m_session(session), m_tools(tools), m_window(window) {
+namespace {
+
+const char* kFirstPage = "qrc:/wend/docs/manual.md";
+const char* kFolder = ":/wend/docs";
+
+constexpr int kWidest = 800, kTallest = 520;  // pixels: a picture that fits without scrolling
+constexpr int kBeside = 340, kSpace = 16;     // pixels: width of a picture beside text, and its distance
+constexpr int kPageMargin = 20;               // pixels around a page
+
+/// Reads a page; empty if there is none.
+void readPage(const QUrl& page, QTextDocument& into) {
+    QFile file(':' + page.path());
+    if (file.open(QIODevice::ReadOnly)) into.setMarkdown(QString::fromUtf8(file.readAll()));
+}
+
+QString picturePath(const QString& name) {
+    const QString own = manualFolder() + QStringLiteral("/pictures/") + name;
+    return QFile::exists(own) ? own : sampleFolder() + '/' + name;
+}
+
+/// Returns whether text flows beside a picture: if it is small and neither a strip nor a column.
+bool isBeside(const QSize& picture) {
+    constexpr int kSmall = 1000;  // pixels
+    constexpr double kStrip = 0.55, kColumn = 1.2;
+    const double ratio = picture.height() / std::max(1.0, double(picture.width()));
+    return picture.width() < kSmall && ratio > kStrip && ratio < kColumn;
+}
+
+/// Returns resources/manual.css in the colours of the palette.
+QString manualStyle(const QPalette& palette) {
+    QFile file(QStringLiteral(":/wend/manual.css"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QString sheet = QString::fromUtf8(file.readAll());
+    const Theme theme = Theme::of(palette);
+    for (const auto& [name, colour] : {std::pair{"@line", theme.line},
+                                       {"@second", theme.secondText},
+                                       {"@accent", theme.accentText},
+                                       {"@raised", palette.color(QPalette::AlternateBase)}})
+        sheet.replace(QLatin1String(name), colour.name());
+    return sheet;
+}
+
+/// Replaces the inline styles of Qt's HTML by elements and classes that manual.css describes.
+QString withClasses(QString html) {
+    const auto replace = [&html](const char* pattern, const char* text) {
+        html.replace(
+            QRegularExpression(QLatin1String(pattern), QRegularExpression::DotMatchesEverythingOption),
+            QLatin1String(text));
+    };
+    replace("(<(?:h[1-6]|p|ul|ol|li|pre|body)\\b[^>]*?) style=\"[^\"]*\"", "\\1");
+    replace("(<h[1-6][^>]*>(?:<a name=\"[^\"]*\"></a>)?)<span[^>]*>([^<]*)</span>", "\\1\\2");
+    replace("<span style=\" font-family:'monospace';\">([^<]*)</span>", "<code>\\1</code>");
+    replace("(<a href[^>]*>)<span style=\"[^\"]*color:#0000ff;\">([^<]*)</span>", "\\1\\2");
+    replace("</pre>\\s*<pre[^>]*>", "<br/>");
+    replace("<td>\\s*<p>(.*?)</p></td>", "<td>\\1</td>");
+    replace("<table[^>]*>\\s*<tr>", "<table width=\"100%\" cellspacing=\"0\"><tr class=\"head\">");
+    return html;
+}
+
+/// Gives paragraphs of a picture their class, and lets text flow beside the small ones.
+QString withPictures(const QString& html) {
+    static const QRegularExpression picture(QStringLiteral("<p>(<img)( src=\"([^\"]*)\")"));
+    QString result;
+    qsizetype done = 0;
+    for (auto found = picture.globalMatch(html); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString path = picturePath(QUrl(match.captured(3)).fileName());
+        const bool beside = isBeside(QImageReader(path).size());
+        result += html.mid(done, match.capturedStart() - done) + QStringLiteral("<p class=\"picture\"><img") +
+                  (beside ? QStringLiteral(" align=\"right\"") : QString()) + match.captured(2);
+        done = match.capturedEnd();
+    }
+    return result + html.mid(done);
+}
+
+/// The pages of the manual. They are compiled in; their pictures are files beside the program.
+class ManualPages : public QTextBrowser {
+  public:
+    explicit ManualPages(QWidget* parent) : QTextBrowser(parent) {
+        document()->setDocumentMargin(kPageMargin);
+    }
+
+  protected:
+    /// Converts Markdown to HTML first, because Markdown tables are laid out again for every cell.
+    void doSetSource(const QUrl& name, QTextDocument::ResourceType) override {
+        document()->setDefaultStyleSheet(manualStyle(palette()));
+        QTextBrowser::doSetSource(name, QTextDocument::HtmlResource);
+    }
+
+    QVariant loadResource(int type, const QUrl& name) override {
+        if (type != QTextDocument::ImageResource) return html(name);
+        QImage image(picturePath(name.fileName()));
+        const bool beside = isBeside(image.size());
+        const int widest = beside ? kBeside : std::min(kWidest, viewport()->width() - 2 * kPageMargin);
+        const QSize room = QSize(widest, kTallest) * devicePixelRatioF();
+        if (image.width() > room.width() || image.height() > room.height())
+            image = image.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        const int space = qRound(kSpace * devicePixelRatioF());
+        if (beside)
+            image = image.convertToFormat(QImage::Format_ARGB32)
+                        .copy(-space, 0, image.width() + space, image.height());
+        image.setDevicePixelRatio(devicePixelRatioF());
+        return image;
+    }
+
+    void changeEvent(QEvent* event) override {
+        QTextBrowser::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange && !source().isEmpty()) reload();
+    }
+
+  private:
+    QString html(const QUrl& name) const {
+        QTextDocument page;
+        page.setDefaultFont(font());
+        readPage(name, page);
+        return withPictures(withClasses(page.toHtml()));
+    }
+};
+
+/// Returns the pages after a page, then those before it, then itself.
+QList<QUrl> pagesAfter(const QUrl& page) {
+    QList<QUrl> pages;
+    for (const QString& name : QDir(QLatin1String(kFolder)).entryList({QStringLiteral("*.md")}))
+        pages << QUrl(QStringLiteral("qrc%1/%2").arg(QLatin1String(kFolder), name));
+    const auto own = std::ranges::find(pages, page.adjusted(QUrl::RemoveFragment));
+    if (own != pages.end()) std::ranges::rotate(pages, own + 1);
+    return pages;
+}
+
+/// Searches the rendered text, as the window does.
+bool isOn(const QUrl& page, const QString& words) {
+    QTextDocument text;
+    readPage(page, text);
+    return !text.find(words).isNull();
+}
+
+}  // namespace
+
+ManualWindow::ManualWindow(QWidget* parent)
+    : QDialog(parent),
+      m_pages(new ManualPages(this)),
+      m_search(new QLineEdit(this)),
+      m_nowhere(secondLabel(tr("No page has these words."), this)) {
+    setWindowTitle(tr("Manual"));
+    resize(860, 720);
+    m_pages->setAccessibleName(tr("Manual"));
+    m_pages->setOpenLinks(false);
+    connect(m_pages, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+        const QUrl target = m_pages->source().resolved(link);
+        if (target.fileName().endsWith(QStringLiteral(".webp")))  // a film: another program shows it
+            return static_cast<void>(
+                QDesktopServices::openUrl(QUrl::fromLocalFile(picturePath(target.fileName()))));
+        target.scheme() == QStringLiteral("qrc") ? m_pages->setSource(target)
+                                                 : static_cast<void>(QDesktopServices::openUrl(target));
+    });
+    auto* row = new QHBoxLayout;
+    const auto button = [&](const QString& name, const QString& help, auto act) {
+        auto* one = new QPushButton(name, this);
+        one->setAutoDefault(false);
+        describe(one, name, help);
+        connect(one, &QPushButton::clicked, m_pages, act);
+        row->addWidget(one);
+        return one;
+    };
+    button(tr("Contents"), tr("The first page"), &QTextBrowser::home);
+    QPushButton* back = button(tr("Back"), tr("The previous page"), &QTextBrowser::backward);
+    back->setEnabled(false);
+    connect(m_pages, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+    row->addStretch(1);
+    m_nowhere->setObjectName(QStringLiteral("foundNowhere"));
+    m_nowhere->hide();
+    row->addWidget(m_nowhere);
+    m_search->setPlaceholderText(tr("Search the manual"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setFixedWidth(240);
+    describe(m_search, tr("Search the manual"),
+             tr("Enter goes to the next place with these words, on this page or another."));
+    connect(m_search, &QLineEdit::textChanged, m_nowhere, &QWidget::hide);
+    connect(m_search, &QLineEdit::returnPressed, this, &ManualWindow::find);
+    row->addWidget(m_search);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row);
+    column->addWidget(m_pages, 1);
+    m_pages->setSource(QUrl(QString::fromLatin1(kFirstPage)));
+}
+
+/// Finds the next place on the page, then on the following pages.
+void ManualWindow::find() {
+    const QString words = m_search->text();
+    if (words.isEmpty() || m_pages->find(words)) return;
+    for (const QUrl& page : pagesAfter(m_pages->source())) {
+        if (!isOn(page, words)) continue;
+        m_pages->setSource(page);
+        m_pages->moveCursor(QTextCursor::Start);
+        m_pages->find(words);
+        return;
+    }
+    m_nowhere->show();
+}
+
+SideWindows::SideWindows(Document& document, const Actions& actions, Toolbox& tools, QMainWindow& window)
+    : QObject(&window), m_document(document), m_tools(tools), m_window(window) {
     connect(actions.manual, &QAction::triggered, this, &SideWindows::showManual);
     connect(actions.shortcuts, &QAction::triggered, this, &SideWindows::showKeys);
     connect(actions.chooseKeys, &QAction::triggered, this, &SideWindows::chooseKeys);
@@ -32,7 +244,7 @@ void SideWindows::showManual() {
 }
 
 void SideWindows::showKeys() {
-    CheatSheet(*m_window.menuBar(), m_session.document().dimension(), &m_window).exec();
+    CheatSheet(*m_window.menuBar(), m_document.dimension(), &m_window).exec();
 }
 
 void SideWindows::chooseKeys() {
@@ -46,7 +258,7 @@ void SideWindows::showHistory() {
         history = new QDialog(&m_window, Qt::Tool);
         history->setObjectName(QStringLiteral("history"));
         history->setWindowTitle(tr("History"));
-        auto* steps = new QUndoView(m_session.document().undoStack(), history);
+        auto* steps = new QUndoView(m_document.undoStack(), history);
         steps->setEmptyLabel(tr("As it was opened"));
         steps->setAccessibleName(tr("History"));
         steps->setAccessibleDescription(tr("What was done; a click goes back or forward to that step."));

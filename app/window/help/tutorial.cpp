@@ -6,10 +6,11 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/engine/motion/playback.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
+#include "app/project/edits/document.h"
 #include "app/session/opening.h"
-#include "app/session/shape_session.h"
 #include "app/window/actions/actions.h"
 #include "app/window/actions/toolbox.h"
 
@@ -30,7 +31,8 @@ QString Tutorial::picture() {
 
 Tutorial::Tutorial(const Parts& parts, QWidget& over)
     : QFrame(&over),
-      m_session(parts.session),
+      m_document(parts.document),
+      m_playback(parts.playback),
       m_actions(parts.actions),
       m_tools(parts.tools),
       m_number(secondLabel({}, this)),
@@ -56,23 +58,22 @@ Tutorial::Tutorial(const Parts& parts, QWidget& over)
     makePages();
     connect(m_next, &QPushButton::clicked, this, [this] { turnTo(m_page + 1); });
     connect(m_end, &QPushButton::clicked, this, [this] { turnTo(-1); });
-    connect(&m_session.document(), &Document::opened, this, [this] {
-        const bool begins = m_wanted && m_session.document().source() == picture();
+    connect(&m_document, &Document::opened, this, [this] {
+        const bool begins = m_wanted && m_document.source() == picture();
         m_wanted = false;
         m_page = -1;
         m_made.reset();
         turnTo(begins ? 0 : -1);
     });
-    connect(&m_session.document(), &Document::projectChanged, this, &Tutorial::follow);
-    connect(&m_session.playback(), &Playback::playingChanged, this, &Tutorial::follow);
+    connect(&m_document, &Document::projectChanged, this, &Tutorial::follow);
+    connect(&m_playback, &Playback::playingChanged, this, &Tutorial::follow);
     connect(&m_tools, &Toolbox::changed, this, &Tutorial::follow);
     connect(m_actions.showMap, &QAction::toggled, this, &Tutorial::follow);
 }
 
 void Tutorial::makePages() {
-    const auto& document = m_session.document();
-    const auto moved = [&document] {
-        return std::ranges::count_if(document.design().handles,
+    const auto moved = [this] {
+        return std::ranges::count_if(m_document.design().handles,
                                      [](const Pin& handle) { return !handle.motions.empty(); });
     };
     m_pages = {
@@ -85,17 +86,17 @@ void Tutorial::makePages() {
         {tr("What it keeps on the way is your choice: at the top right, under <b>Keep</b>, <b>choose Area, "
             "Rigid or "
             "Angle</b>, and see the neck change."),
-         [&document] { return document.design().material.phi; }},
+         [this] { return m_document.design().material.phi; }},
         {tr("<b>Press D</b> to see in colours what the bend has changed, and where most. D again hides it."),
          [this] { return m_actions.showMap->isChecked(); }},
         {tr("The same for a part only: <b>press Ctrl+3</b> for the step <i>Paint</i>, and <b>brush over the "
             "neck</b>. "
             "[ and ] change the size of the brush."),
-         [&document] { return std::ranges::distance(regionsOf(document.design().material.layers)); }},
+         [this] { return std::ranges::distance(regionsOf(m_document.design().material.layers)); }},
         {tr("Your drag is already a film: <b>press K</b> to play it. Click into the strip below to go to a "
             "time, and "
             "drag on from there."),
-         [this] { return m_session.playback().isPlaying(); }},
+         [this] { return m_playback.isPlaying(); }},
         {tr("Finally, <b>press Ctrl+5</b> for the step <i>Export</i>: a picture, a sequence, an ST "
             "map, or the mesh."),
          [this] { return m_tools.mode() == Mode::Export; }},
@@ -106,7 +107,7 @@ void Tutorial::makePages() {
 }
 
 int Tutorial::pinCount() const {
-    return static_cast<int>(m_session.document().design().handles.size());
+    return static_cast<int>(m_document.design().handles.size());
 }
 
 QString Tutorial::text() const {
@@ -114,11 +115,11 @@ QString Tutorial::text() const {
 }
 
 bool Tutorial::isPractice() const {
-    return m_session.document().path().isEmpty() && (m_page >= 0 || m_session.document().project() == m_made);
+    return m_document.path().isEmpty() && (m_page >= 0 || m_document.project() == m_made);
 }
 
 void Tutorial::turnTo(int page) {
-    if (m_page >= 0) m_made = m_session.document().project();
+    if (m_page >= 0) m_made = m_document.project();
     m_page = page < pageCount() ? page : -1;
     setVisible(m_page >= 0);
     if (m_page < 0) return;
@@ -136,7 +137,7 @@ void Tutorial::turnTo(int page) {
 }
 
 void Tutorial::follow() {
-    if (m_page < 0 || m_session.document().isEmpty() || m_session.document().dimension() != 2) return;
+    if (m_page < 0 || m_document.isEmpty() || m_document.dimension() != 2) return;
     const auto& measure = m_pages[static_cast<std::size_t>(m_page)].measure;
     if (measure && measure() != m_before) turnTo(m_page + 1);
 }

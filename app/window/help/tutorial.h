@@ -13,7 +13,8 @@ class QPushButton;
 namespace wend {
 
 class Actions;
-class ShapeSession;
+class Document;
+class Playback;
 class Toolbox;
 
 /// A tutorial of five minutes on a sample: a card in a corner of the view gives the next step and advances
@@ -23,7 +24,8 @@ class Tutorial : public QFrame {
 
   public:
     struct Parts {
-        ShapeSession& session;
+        Document& document;
+        Playback& playback;
         const Actions& actions;
         const Toolbox& tools;
     };
@@ -53,7 +55,8 @@ class Tutorial : public QFrame {
     void follow();
     void place();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     const Actions& m_actions;
     const Toolbox& m_tools;
     QLabel *m_number, *m_text;

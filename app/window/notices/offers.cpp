@@ -1,15 +1,28 @@
 #include "app/window/notices/offers.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "app/base/in_background.h"
+#include "app/base/said.h"
+#include "app/engine/motion/playback.h"
+#include "app/engine/shape/mesh_rest.h"
+#include "app/engine/shape/shape.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/document.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/part_edits.h"
 #include "app/project/edits/setting_edits.h"
+#include "app/session/shape_session.h"
+#include "app/window/notices/info_banner.h"
 #include "app/window/notices/picture_checks.h"
+#include "core/base/error.h"
+#include "core/mesh/hanging_parts.h"
+#include "core/motion/constraints.h"
+#include "core/solver/solver_choice.h"
 #include "warp/drawn_picture.h"
 
 namespace wend {
@@ -24,6 +37,41 @@ bool isDrawingFile(const QString& path) {
     } catch (const std::exception&) {
         return false;
     }
+}
+
+constexpr double kBack = 1e-6;  // relative to how far the map was from the identity
+constexpr int kSamples = 64;
+
+constexpr int kFewestVertices = 500;  // of which half are still a shape
+
+QString remedyText(const char* text) {
+    return QCoreApplication::translate("wend::ProblemRemedies", text);
+}
+
+/// The solver's memory grows with the number of vertices only, unlike that of a factor.
+void addLessMemory(Document& document, QList<InfoBanner::Remedy>& remedies) {
+    constexpr auto kMultigrid = static_cast<double>(SolverKind::Multigrid);
+    if (settingOf(document, "integration.solver") != kMultigrid)
+        remedies << InfoBanner::Remedy{
+            remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Use Multigrid")),
+            [&document, kMultigrid] { changeSetting(document, "integration.solver", kMultigrid); }};
+    const double vertices = settingOf(document, "domain.vertices");
+    const bool isMeshed = document.domain().kind != DomainKind::Mesh;
+    if (isMeshed && vertices >= 2 * kFewestVertices)
+        remedies << InfoBanner::Remedy{
+            remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Half as Many Vertices")),
+            [&document, vertices] { changeSetting(document, "domain.vertices", vertices / 2); }};
+}
+
+/// Makes a sentence of a remark. An initial file path keeps its case: only a first word, followed by a space,
+/// is capitalized.
+QString sentence(const QString& remark) {
+    QString result = remark;
+    const QString first = remark.section(' ', 0, 0);
+    if (!first.isEmpty() && std::ranges::all_of(first, [](QChar c) { return c.isLower(); }))
+        result[0] = result[0].toUpper();
+    if (!result.endsWith('.')) result += '.';
+    return result;
 }
 
 }  // namespace
@@ -160,6 +208,188 @@ void Offers::follow() {
             m_made.erase(offer.topic);
             m_banner.clear(offer.topic);
         }
+}
+
+RidingOffer::RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_session(session), m_banner(banner) {
+    connect(&session.document(), &Document::opened, this, [this] {
+        m_told = 0;
+        m_lookedAt.reset();
+    });
+    connect(&session, &ShapeSession::frameChanged, this, &RidingOffer::look);
+}
+
+/// Looks at every project once, when its motion is there.
+void RidingOffer::look() {
+    const Document& document = m_session.document();
+    if (document.isEmpty() || document.dimension() != 2 || m_session.isDragging() || m_session.isBusy() ||
+        m_session.isStale() || document.project() == m_lookedAt || !(m_session.playback().end() > 0))
+        return;
+    m_lookedAt = document.project();
+    const std::vector<StrayPart> strays = strayParts(m_session);
+    if (strays.empty()) m_banner.clear(InfoBanner::Topic::Riding);
+    if (!strays.empty() && strays.size() != m_told) offer(strays);
+    m_told = strays.size();
+}
+
+void RidingOffer::offer(const std::vector<StrayPart>& strays) {
+    const auto count = static_cast<int>(strays.size());
+    const std::string& host = strays.front().host;
+    const bool isOneHost =
+        !host.empty() && std::ranges::all_of(strays, [&](const StrayPart& one) { return one.host == host; });
+    const QString name = QString::fromStdString(host);
+    const QString one = isOneHost
+                            ? tr("A part has no pin and stays behind: let it ride on “%1”?").arg(name)
+                            : tr("A part has no pin and stays behind: let it ride on what is beside it?");
+    const QString many =
+        isOneHost
+            ? tr("%n parts have no pin and stay behind: let them ride on “%1”?", nullptr, count).arg(name)
+            : tr("%n parts have no pin and stay behind: let them ride on what is beside them?", nullptr,
+                 count);
+    const auto ride = [this, strays] {
+        Document& document = m_session.document();
+        m_banner.clear(InfoBanner::Topic::Riding);
+        if (document.project() == m_lookedAt)
+            document.change(tr("Let parts ride"), withRiders(*document.project(), strays));
+    };
+    m_banner.tell(InfoBanner::Topic::Riding, count == 1 ? one : many,
+                  {{count == 1 ? tr("Let It Ride") : tr("Let Them Ride"), ride}});
+}
+
+bool comesBack(const Pin& handle) {
+    const auto isField = [](const PinMotion& motion) {
+        return std::holds_alternative<FieldMotion<3>>(motion.kind);
+    };
+    if (handle.motions.empty() || std::ranges::any_of(handle.motions, isField)) return false;
+    try {
+        const HandleTimeline<3> timeline(handleIn<3>(handle));
+        const double from = handle.motions.front().start, to = handle.motions.back().end;
+        double farthest = 0, atEnd = 0;
+        for (int k = 0; k <= kSamples; ++k) {
+            const auto map = timeline.bodyAt(from + (to - from) * k / kSamples, Side::Before).position;
+            atEnd = map.b.norm() + (map.A - Mat<3>::Identity()).norm();
+            farthest = std::max(farthest, atEnd);
+        }
+        return atEnd < kBack * farthest;
+    } catch (const InputError&) {
+        return false;  // the motion itself says so
+    }
+}
+
+SpringOffer::SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_session(session), m_banner(banner) {
+    connect(&m_session.document(), &Document::opened, this, [this] {
+        m_isOffered = m_isDeclined = false;
+        follow();
+    });
+    connect(&m_session.document(), &Document::projectChanged, this, &SpringOffer::follow);
+    connect(&m_session.playback(), &Playback::loopsChanged, this, &SpringOffer::follow);
+}
+
+bool SpringOffer::isDue() const {
+    const Document& document = m_session.document();
+    if (document.isEmpty() || settingOf(document, "material.memory") != 0) return false;
+    if (motionEnd(*document.project()) <= 0) return false;
+    if (m_session.playback().loops()) return true;
+    return std::ranges::any_of(document.design().handles, comesBack);
+}
+
+/// The offer is made once for a document.
+void SpringOffer::follow() {
+    const bool isDue = this->isDue();
+    if (isDue == m_isOffered || (isDue && m_isDeclined)) return;
+    m_isOffered = isDue;
+    if (!isDue) return m_banner.clear(InfoBanner::Topic::Spring);
+    m_isDeclined = true;
+    const auto take = [this] {
+        changeSetting(m_session.document(), "material.memory", std::numeric_limits<double>::infinity());
+    };
+    m_banner.tell(
+        InfoBanner::Topic::Spring,
+        tr("What comes back leaves the shape a little different, so that a loop jumps. If the shape "
+           "springs back fully, it is as it was."),
+        {{tr("Spring Back Fully"), take}});
+}
+
+QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session) {
+    QList<InfoBanner::Remedy> remedies;
+    if (session.lacksMemory()) addLessMemory(session.document(), remedies);
+    QUndoStack* steps = session.document().undoStack();
+    if (steps->canUndo())
+        remedies << InfoBanner::Remedy{remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Undo")),
+                                       [steps] { steps->undo(); }};
+    return remedies;
+}
+
+ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+    connect(&session, &ShapeSession::frameChanged, this, &ShapeNotices::follow);
+    connect(&session.document(), &Document::opened, this, [this] {  // messages belong to the document
+        m_shape.reset();
+        m_hasTold = false;
+    });
+}
+
+void ShapeNotices::follow() {
+    tell<2>();
+    tell<3>();
+}
+
+template <int Dim>
+void ShapeNotices::tell() {
+    const auto frame = m_session.frame<Dim>();
+    if (!frame || frame->shape == m_shape) return;
+    m_shape = frame->shape;
+    QStringList lines;
+    QList<InfoBanner::Remedy> remedies;
+    const auto& notices = frame->built->notices;
+    const Message hanging = notices.empty() ? Message() : hangingNotice<Dim>(*frame->rest);
+    for (const Message& notice : notices) {
+        lines << (notice == hanging.text() ? hangingText<Dim>() : sentence(said(notice)));
+        if (notice == hanging.text()) remedies = {{tr("Pin It"), [this] { pinHanging<Dim>(); }}};
+    }
+    if (frame->built->cage && !frame->built->cage->why.isEmpty())
+        remedies << InfoBanner::Remedy{tr("See Why"), [this] { emit reasonWanted(); }};
+    if (frame->built->hasSpaces && m_session.document().domain().shells == Shells::Automatic) {
+        const auto choose = [this](Shells shells) {
+            return [this, shells] {
+                changeSetting(m_session.document(), "domain.shells", static_cast<double>(shells));
+            };
+        };
+        remedies << InfoBanner::Remedy{tr("Fill All, with Labels"), choose(Shells::Regions)}
+                 << InfoBanner::Remedy{tr("Leave Holes"), choose(Shells::Holes)};
+    }
+    if (frame->built->refineHelps)
+        lines << tr("“Refine surface” in the panel “Mesh” allows the surface's triangles to be split.");
+    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);
+    m_hasTold = !lines.isEmpty();
+}
+
+/// Core names the vertices; the window shows the parts instead.
+template <int Dim>
+QString ShapeNotices::hangingText() const {
+    const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
+    if (parts == 1)
+        return tr(
+            "A part is joined to the rest at a single point, and may swing around it unless a pin holds it.");
+    return tr(
+        "%n parts are joined to the rest at single points, and may swing around them unless pins hold them.",
+        nullptr, parts);
+}
+
+/// Pins one cell of each part, which then neither moves nor rotates, in one step.
+template <int Dim>
+void ShapeNotices::pinHanging() {
+    const auto frame = m_session.frame<Dim>();
+    if (!frame) return;
+    m_session.document().beginStep();
+    for (const HangingPart& part : hangingParts<Dim>(*frame->rest)) {
+        const auto& cell = frame->rest->cells[static_cast<std::size_t>(part.firstCell)];
+        m_session.addHandle(std::vector<int>(cell.begin(), cell.end()),
+                            ShapeSession::tr("Pin").toStdString());
+    }
+    m_session.document().endStep();
+    m_hasTold = false;
+    emit told({}, {});
 }
 
 }  // namespace wend

@@ -2,9 +2,13 @@
 
 #include <QObject>
 #include <functional>
+#include <memory>
 #include <set>
 #include <vector>
 
+#include "app/project/pin.h"
+#include "app/session/part_making.h"
+#include "app/session/shape_session.h"
 #include "app/window/notices/info_banner.h"
 #include "warp/alpha_outline_options.h"
 #include "warp/image.h"
@@ -57,6 +61,75 @@ class Offers : public QObject {
     const std::vector<Offer> m_all;
     bool m_isDrawing = false;            // what was opened
     std::set<InfoBanner::Topic> m_made;  // and neither taken nor withdrawn
+};
+
+/// Tells of parts and islands of a picture that no pin holds once the rest has been moved, and offers to let
+/// them follow what is beside them. It is shown once for each number of such parts.
+class RidingOffer : public QObject {
+    Q_OBJECT
+
+  public:
+    RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+
+  private:
+    void look();
+    void offer(const std::vector<StrayPart>& strays);
+
+    ShapeSession& m_session;
+    InfoBanner& m_banner;
+    std::shared_ptr<const Project> m_lookedAt;
+    std::size_t m_told = 0;
+};
+
+/// Returns whether a handle that has moved ends where it began.
+bool comesBack(const Pin& handle);
+
+/// Offers to let the shape spring back fully where it does not spring back at all, and a handle ends where it
+/// began or the film loops: the shape would end elsewhere.
+class SpringOffer : public QObject {
+    Q_OBJECT
+
+  public:
+    SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+
+  private:
+    bool isDue() const;
+    void follow();
+
+    ShapeSession& m_session;
+    InfoBanner& m_banner;
+    bool m_isOffered = false, m_isDeclined = false;
+};
+
+/// Returns buttons for a project that cannot be computed: where memory is short, a solver that needs less and
+/// half as many vertices, as far as the project allows; and Undo if there is a step.
+QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session);
+
+/// Messages about a new shape, once per mesh.
+class ShapeNotices : public QObject {
+    Q_OBJECT
+
+  public:
+    ShapeNotices(ShapeSession& session, QObject* parent);
+
+  signals:
+    /// Emits lines with their remedies; empty if there is nothing to report any more.
+    void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
+    /// Emitted to request the reason for a cage.
+    void reasonWanted();
+
+  private:
+    void follow();
+    template <int Dim>
+    void tell();
+    template <int Dim>
+    QString hangingText() const;
+    template <int Dim>
+    void pinHanging();
+
+    ShapeSession& m_session;
+    std::shared_ptr<const void> m_shape;  // the rest mesh that was reported
+    bool m_hasTold = false;               // and there was something to say
 };
 
 }  // namespace wend

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/engine/shape/same_mesh.h"
+#include "app/engine/shape/shape_builder.h"
 #include "app/project/domain.h"
 #include "warp/inpaint.h"
 

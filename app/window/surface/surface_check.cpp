@@ -1,30 +1,106 @@
 #include "app/window/surface/surface_check.h"
 
 #include <Eigen/Geometry>
+#include <QByteArray>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHash>
+#include <QLocale>
 #include <QSaveFile>
+#include <QStringList>
+#include <QTextStream>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "app/base/in_background.h"
-#include "app/base/said.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/surface_panel.h"
 #include "app/project/domain.h"
 #include "app/project/file/named_files.h"
 #include "app/style/marks.h"
 #include "app/views/volume/solid_canvas.h"
-#include "app/window/surface/problem_list.h"
-#include "app/window/surface/surface_place.h"
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/skin_file.h"
+#include "core/meshing/fix_all.h"
+#include "core/meshing/surface.h"
 
 namespace wend {
 
 namespace {
+
+/// The default direction of view on a surface.
+const Vec<3> kAskew(-1, 1.4, -0.8);
+
+/// Returns points around some triangles, a little farther away than their corners.
+Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
+    Points<3> corners(3, static_cast<Eigen::Index>(3 * triangles.size()));
+    Eigen::Index count = 0;
+    for (const int t : triangles)
+        for (const int v : surface.triangles[t]) corners.col(count++) = surface.points.col(v);
+    const Vec<3> centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
+    return (1.5 * (corners.colwise() - centre)).colwise() + centre;
+}
+
+/// Returns false for triangles between the viewer and these points.
+std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction) {
+    const Vec<3> low = place.rowwise().minCoeff(), high = place.rowwise().maxCoeff();
+    const Vec<3> centre = (low + high) / 2, along = direction.normalized();
+    const double radius = (high - low).norm() / 2;
+    std::vector<bool> kept(surface.triangles.size(), true);
+    for (int t = 0; t < surface.triangleCount(); ++t) {
+        double last = -std::numeric_limits<double>::infinity(), beside = last;
+        for (const int v : surface.triangles[t]) {
+            const Vec<3> away = surface.points.col(v) - centre;
+            last = std::max(last, away.dot(along));
+            beside = std::max(beside, -(away - away.dot(along) * along).norm());
+        }
+        kept[t] = last > -radius / 2 || -beside > 3 * radius;
+    }
+    return kept;
+}
+
+/// Returns the direction against the triangle's outer side, slightly from above.
+Vec<3> intoTriangle(const Surface& surface, int triangle) {
+    const auto& t = surface.triangles[triangle];
+    const Vec<3> a = surface.points.col(t[0]);
+    const Vec<3> normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
+    if (!normal.allFinite() || normal.norm() == 0) return kAskew;
+    return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
+}
+
+template <class List, class Text>
+void writeList(QTextStream& out, const char* title, const List& list, const Text& text) {
+    if (list.empty()) return;
+    out << title << ' ' << list.size() << '\n';
+    for (const auto& entry : list) out << text(entry) << '\n';
+}
+
+/// The numbers of all that is wrong with a surface, as the text of a file; `numbers` are those of its
+/// triangles.
+QByteArray listOf(const SurfaceProblems& problems, const std::vector<int>& numbers) {
+    QByteArray text;
+    QTextStream out(&text);
+    const auto one = [&](int t) { return QString::number(numbers[t]); };
+    const auto pair = [](int a, int b) { return QStringLiteral("%1 %2").arg(a).arg(b); };
+    const auto two = [&](const std::array<int, 2>& p) { return pair(numbers[p[0]], numbers[p[1]]); };
+    const auto edge = [&](const std::array<int, 2>& p) { return pair(p[0], p[1]); };
+    const auto vertex = [](int v) { return QString::number(v); };
+    out << "# Numbers count from 0. Triangles unless edges (two vertices) are named.\n";
+    writeList(out, "degenerate", problems.degenerate, one);
+    writeList(out, "duplicate", problems.duplicate, one);
+    writeList(out, "bad_index", problems.badIndex, one);
+    writeList(out, "intersecting_pairs", problems.intersecting, two);
+    writeList(out, "open_edges", problems.openEdges, edge);
+    writeList(out, "non_manifold_edges", problems.nonManifoldEdges, edge);
+    writeList(out, "misoriented_edges", problems.misoriented, edge);
+    writeList(out, "vertices_not_finite", problems.notFinite, vertex);
+    out.flush();
+    return text;
+}
 
 const QRgb kFine = qRgb(199, 186, 164), kChosen = qRgb(255, 170, 0), kAdded = qRgb(46, 158, 92);
 
@@ -59,6 +135,8 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
     });
     connect(&session.document(), &Document::opened, this, [this] {
         hide();
+        m_checking.drop();
+        m_reading.drop();
         preview();
     });
     connect(&session, &ShapeSession::frameChanged, this, &SurfaceCheck::takeShape);
@@ -93,45 +171,32 @@ void SurfaceCheck::preview() {
     const Document& document = m_session.document();
     if (document.dimension() != 3 || document.domain().kind != DomainKind::Surface) return;
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    const int generation = document.generation();
-    const auto read = [path]() -> std::shared_ptr<const Skin> {
-        try {
-            return std::make_shared<const Skin>(readSkin(path));
-        } catch (const std::exception&) {
-            return {};
-        }
-    };
-    inBackground(this, read, [this, generation](const std::shared_ptr<const Skin>& skin) {
-        if (skin && m_canvas && m_session.document().generation() == generation) m_canvas->showPreview(skin);
+    using SkinPtr = std::shared_ptr<const Skin>;
+    const auto read = [path]() -> SkinPtr { return std::make_shared<const Skin>(readSkin(path)); };
+    m_reading.ask(read, [this](const Answer<SkinPtr>& skin) {
+        if (skin.value && m_canvas) m_canvas->showPreview(skin.value);
     });
 }
 
 void SurfaceCheck::look() {
     const Document& document = m_session.document();
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
-    const int generation = document.generation();
+    using FoundPtr = std::shared_ptr<const Found>;
     const int largestHole = document.domain().largestHole;
-    const auto check = [path, largestHole,
-                        fixes = document.domain().fixes]() -> std::shared_ptr<const Found> {
+    const auto check = [path, largestHole, fixes = document.domain().fixes]() -> FoundPtr {
         auto found = std::make_shared<Found>();
-        try {
-            const auto file = sharedMeshFile(path);
-            found->source = {pointsOf(*file), trianglesOf(*file), {}};
-            found->fixes = possible(found->source, fixes);
-            FixedSurface fixed = fixSurface(found->source, found->fixes);
-            found->surface = std::move(fixed.surface);
-            found->numbers = std::move(fixed.numbers);
-            found->problems = checkSurface(found->surface);
-            found->faults = faultsOf(found->surface, found->problems);
-            found->repaired = std::make_shared<const Repaired>(found->surface, largestHole);
-        } catch (const std::exception& error) {
-            found->error = said(error);
-        }
+        const auto file = sharedMeshFile(path);
+        found->source = {pointsOf(*file), trianglesOf(*file), {}};
+        found->fixes = possible(found->source, fixes);
+        FixedSurface fixed = fixSurface(found->source, found->fixes);
+        found->surface = std::move(fixed.surface);
+        found->numbers = std::move(fixed.numbers);
+        found->problems = checkSurface(found->surface);
+        found->faults = faultsOf(found->surface, found->problems);
+        found->repaired = std::make_shared<const Repaired>(found->surface, largestHole);
         return found;
     };
-    inBackground(this, check, [this, generation](const std::shared_ptr<const Found>& found) {
-        if (m_session.document().generation() == generation) take(found);
-    });
+    m_checking.ask(check, [this](const Answer<FoundPtr>& found) { take(found.value); });
 }
 
 /// A cage that was chosen since something is wrong is no reason not to look at it.
@@ -160,7 +225,7 @@ void SurfaceCheck::keepPlace() {
 
 /// Unreadable files are reported by the banner alone.
 void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
-    if (!found->error.isEmpty() || found->problems.boundsVolume()) return;
+    if (!found || found->problems.boundsVolume()) return;
     m_found = found;
     m_repaired = found->repaired;
     SurfacePanel::Contents contents;
@@ -334,6 +399,157 @@ void SurfaceCheck::fitCage(bool cage) {
     Domain next = document.domain();
     next.fit = cage ? Fit::Cage : Fit::Exact;
     document.changeDomain(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
+}
+
+// --- Fixes of a surface's faults, computed in the background and previewed ---
+
+/// Computes the fix of this fault.
+void SurfaceCheck::propose() {
+    m_fix.reset();
+    if (m_all.kind != m_place.kind || m_all.found != m_found) m_all = {m_found, m_place.kind};
+    tellOfFix();
+    if (m_found->faults.empty()) return;
+    const auto find = [found = m_found, place = m_place] {
+        const FaultKind& kind = found->faults[place.kind];
+        return std::make_shared<const FaultFix>(
+            fixFor(found->source, found->fixes, kind.name, kind.cases[place.number]));
+    };
+    const auto take = [this, found = m_found, place = m_place](const std::shared_ptr<const FaultFix>& fix) {
+        if (m_found != found || m_place != place) return;
+        m_fix = fix;
+        tellOfFix();
+        if (m_isPlaceShown && m_canvas) showPlace(true);
+    };
+    inBackground(this, find, take);
+}
+
+/// Computes the fix of all faults of this kind once one of them is shown: it takes seconds for dense
+/// surfaces.
+void SurfaceCheck::proposeAll() {
+    if (!m_found || m_all.isSought || m_found->faults[m_place.kind].cases.size() < 2) return;
+    m_all.isSought = true;
+    const auto find = [found = m_found, kind = m_place.kind, largestHole = m_panel.largestHole()] {
+        return std::make_shared<const FaultFix>(
+            fixForAll(found->source, found->fixes, found->faults[kind].name, largestHole));
+    };
+    const auto take = [this, sought = m_all](const std::shared_ptr<const FaultFix>& all) {
+        if (m_all.found != sought.found || m_all.kind != sought.kind || m_all.limit != sought.limit) return;
+        m_all.fix = all;
+        const bool isWanted = std::exchange(m_all.isWanted, false);
+        tellOfFix();
+        if (isWanted) fixAll();
+    };
+    inBackground(this, find, take);
+}
+
+QString SurfaceCheck::textOf(const FaultFix& fix) const {
+    int all = 0;
+    for (const FaultKind& kind : m_found->faults) all += static_cast<int>(kind.cases.size());
+    const QString does = wouldDo({{tr("drop triangles (%1)"), fix.dropped},
+                                  {tr("turn triangles (%1)"), fix.turned},
+                                  {tr("add triangles (%1)"), fix.added}});
+    return does + ' ' +
+           tr("It would leave %1 of %2 faults.").arg(QLocale().toString(fix.faults), QLocale().toString(all));
+}
+
+void SurfaceCheck::tellOfFix() {
+    const auto told = [this](const std::shared_ptr<const FaultFix>& fix, const QString& none) {
+        if (!fix) return QString();
+        return fix->steps.empty() ? none : textOf(*fix);
+    };
+    if (m_all.isWanted) {
+        m_panel.showFix(tr("Looking for what fixes all of these …"), false);
+        return m_panel.showFixOfAll({}, false);
+    }
+    m_panel.showFix(told(m_fix, tr("No simple step fixes this one.")), m_fix && !m_fix->steps.empty());
+    m_panel.showFixOfAll(told(m_all.fix, tr("No simple steps fix all of these.")),
+                         !m_all.fix || !m_all.fix->steps.empty());
+}
+
+/// Applies a fix in one undo step and shows the next fault of the kind.
+void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString& name) {
+    if (!m_found || !fix || fix->steps.empty()) return;
+    Document& document = m_session.document();
+    Domain next = document.domain();
+    next.fixes = m_found->fixes;
+    next.fixes.insert(next.fixes.end(), fix->steps.begin(), fix->steps.end());
+    m_goesOn = true;
+    m_fixedKind = m_found->faults[m_place.kind].name;
+    m_fix.reset();
+    m_all = {};
+    m_panel.showFix({}, false);  // once only
+    m_panel.showFixOfAll({}, false);
+    document.changeDomain(name, std::move(next));
+}
+
+/// Applies the fix as soon as it is known.
+void SurfaceCheck::fixAll() {
+    if (const auto known = m_all.fix) return fix(known, tr("Fix all faults of a kind"));
+    m_all.isWanted = true;
+    tellOfFix();
+    proposeAll();
+}
+
+void SurfaceCheck::repair(int largestHole) {
+    Document& document = m_session.document();
+    Domain next = document.domain();
+    next.repair = true;
+    next.largestHole = largestHole;
+    document.changeDomain(tr("Repair surface"), std::move(next));
+}
+
+/// Previews the repair with another limit.
+void SurfaceCheck::tryLimit(int largestHole) {
+    if (!m_found) return;
+    m_all = {m_found, m_place.kind, largestHole};
+    tellOfFix();
+    if (m_isPlaceShown) proposeAll();
+    const auto attempt = [found = m_found, largestHole] {
+        return std::make_shared<const Repaired>(found->surface, largestHole);
+    };
+    inBackground(this, attempt,
+                 [this, found = m_found, largestHole](const std::shared_ptr<const Repaired>& repaired) {
+                     if (m_found != found || m_panel.largestHole() != largestHole) return;
+                     m_repaired = repaired;
+                     tellOfRepair();
+                 });
+}
+
+/// Returns the numbers of edges of the holes: open edges that hang together.
+std::vector<int> SurfaceCheck::holesIn(const SurfaceProblems& problems) {
+    std::map<int, int> places;  // of vertices
+    for (const auto& edge : problems.openEdges)
+        for (const int v : edge) places.try_emplace(v, static_cast<int>(places.size()));
+    DisjointSets sets(static_cast<int>(places.size()));
+    for (const auto& edge : problems.openEdges) sets.join(places[edge[0]], places[edge[1]]);
+    std::map<int, int> counts;
+    for (const auto& edge : problems.openEdges) ++counts[sets.root(places[edge[0]])];
+    std::vector<int> edges;
+    for (const auto& [set, count] : counts) edges.push_back(count);
+    return edges;
+}
+
+void SurfaceCheck::tellOfRepair() {
+    m_panel.tellOfHoles(m_session.document().domain().repair ? std::vector<int>()
+                                                             : holesIn(m_repaired->left));
+    const bool done = m_session.document().domain().repair;
+    m_panel.tellOfRepair(!done && m_repaired->left.boundsVolume(), done ? QString() : repairText());
+}
+
+QString SurfaceCheck::repairText() const {
+    const RepairReport& report = m_repaired->report;
+    return wouldDo({{tr("merge points (%1)"), report.mergedVertices},
+                    {tr("drop triangles (%1)"), report.droppedDegenerate + report.droppedDuplicate},
+                    {tr("turn triangles (%1)"), report.flipped},
+                    {tr("fill holes (%1)"), report.filledHoles}});
+}
+
+/// Describes the effect of those that change something; empty if none does.
+QString SurfaceCheck::wouldDo(const std::vector<std::pair<QString, int>>& repairs) {
+    QStringList parts;
+    for (const auto& [text, count] : repairs)
+        if (count > 0) parts << text.arg(QLocale().toString(count));
+    return parts.isEmpty() ? QString() : tr("It would %1.").arg(parts.join(QStringLiteral(", ")));
 }
 
 }  // namespace wend

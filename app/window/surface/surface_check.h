@@ -3,6 +3,7 @@
 #include <QObject>
 #include <memory>
 
+#include "app/base/latest.h"
 #include "app/session/shape_session.h"
 #include "app/views/volume/volume_view.h"
 #include "core/meshing/surface_faults.h"
@@ -41,7 +42,6 @@ class SurfaceCheck : public QObject {
         SurfaceProblems problems;
         std::vector<FaultKind> faults;
         std::shared_ptr<const Repaired> repaired;  // the repaired surface
-        QString error;
     };
     struct Place {
         int kind = 0, number = 0;
@@ -99,6 +99,7 @@ class SurfaceCheck : public QObject {
     std::string m_fixedKind;              // … of this kind
     std::shared_ptr<const void> m_shape;  // the last one that was shown
     bool m_isCaged = false;               // it is embedded in a cage
+    Latest m_reading{this}, m_checking{this};
 };
 
 }  // namespace wend

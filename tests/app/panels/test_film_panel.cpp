@@ -6,7 +6,7 @@
 #include <QUndoStack>
 
 #include "app/engine/motion/playback.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/film_panel.h"
 #include "app/project/project.h"
@@ -50,9 +50,9 @@ void TestFilmPanel::init() {
     session.addPin({40, 80, 0});
     session.addPin({200, 80, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({-10, 25, 0});
-    session.endDrag(0.5);
+    session.gestures().begin();
+    session.gestures().moveBy({-10, 25, 0});
+    session.gestures().end(0.5);
     QVERIFY(settle(session));
     for (QWidget* one : panel().findChildren<QWidget*>())
         if (one->findChildren<ExactBox*>(Qt::FindDirectChildrenOnly).size() == 2) m_cycle = one;

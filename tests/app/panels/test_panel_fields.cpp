@@ -23,11 +23,10 @@
 #include <QWindow>
 
 #include "app/panels/cut_panel.h"
-#include "app/panels/fields/magnitude_box.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
-#include "app/panels/folding_section.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/pin_list.h"
 #include "app/project/design.h"
@@ -258,7 +257,7 @@ void TestPanelFields::eitherPointCanBeTyped() {
 
 void TestPanelFields::longNumbersWidenNoPanel() {
     QVERIFY(m_f->open() && m_f->holdEnds());
-    m_f->session().moveSelected(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
+    m_f->session().gestures().moveAtOnce(Grip{}, {-1.00098825e-5, -0.15596123, 3e-9});
     QVERIFY(settle(m_f->session()));
     auto* panel = m_f->window().findChild<HandlePanel*>();
     auto* place = panel->findChild<QLabel*>(QStringLiteral("pinPlace"));

@@ -24,7 +24,6 @@
 #include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
 #include "app/session/part_making.h"
-#include "app/session/stray_parts.h"
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
@@ -63,6 +62,8 @@ class TestPartList : public QObject {
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
     void whatStaysBehindMayRide();
+    void whatLiesOnAStrayPartStaysWithIt_data();
+    void whatLiesOnAStrayPartStaysWithIt();
     void islandsMayRide();
 
   private:
@@ -169,13 +170,13 @@ void TestPartList::dragged() {
     session.addPin({20, 70, 0});
     session.addPin({150, 40, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
+    session.gestures().begin();
     for (int k = 1; k <= 5; ++k) {
-        session.dragBy({-6.0 * k, 8.0 * k, 0});
+        session.gestures().moveBy({-6.0 * k, 8.0 * k, 0});
         QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
         QVERIFY(gap() < 1e-9);
     }
-    session.endDrag(0.2);
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     QVERIFY(gap() < 1e-9);
     QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
@@ -281,10 +282,10 @@ void TestPartList::picturesOpenTogether() {
     frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
     QCOMPARE(readLayer(written.toStdString(), "a 2").width, 90);
     const QList<ExportFormat> formats = exportFormats(ExportKind::Picture, frame);
-    QCOMPARE(formats.last().extension, QString(".layers.tif"));
-    const QString pages = m_folder.filePath("out.layers.tif");
-    frame.write(ExportKind::Picture, pages.toStdString(), {}, {}, remark);
-    QCOMPARE(readLayer(pages.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
+    QCOMPARE(formats.last().extension, QString(".psd"));
+    const QString layers = m_folder.filePath("out.psd");
+    frame.write(ExportKind::Picture, layers.toStdString(), {}, {}, remark);
+    QCOMPARE(readLayer(layers.toStdString(), "a").width, readLayer(written.toStdString(), "a").width);
     const QString project = m_folder.filePath("p.wend");
     QVERIFY(QFile::copy(front, project));
     m_f->window().files().openAll(QStringList{front, project});
@@ -370,9 +371,9 @@ void TestPartList::orderChangesFromHere() {
     session.addPin({20, 70, 0});
     session.addPin({150, 40, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({2, 2, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({2, 2, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     list().setCurrentRow(2);
     session.playback().setTime(0.5);
@@ -586,15 +587,15 @@ void TestPartList::dragsWaitForParts() {
     QVERIFY(session.isMeshing());
     session.selection().set({session.addPin({80, 50, 0})});
     notices.clear();
-    session.beginDrag();
+    session.gestures().begin();
     QVERIFY(!session.isDragging());
     QCOMPARE(notices.count(), 1);
     QVERIFY(notices[0][0].toString().contains("still being made"));
     QVERIFY(settle(session));
     for (const auto& problem : problems) QCOMPARE(problem[0].toString(), QString());
-    session.beginDrag();
+    session.gestures().begin();
     QVERIFY(session.isDragging());
-    session.cancelDrag();
+    session.gestures().cancel();
 }
 
 /// A part that is made before the shape knows the new name of another one is cut from that; one that is made
@@ -725,9 +726,9 @@ void TestPartList::whatStaysBehindMayRide() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({5, 4, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({5, 4, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     auto* banner = m_f->window().findChild<InfoBanner*>();
     QTRY_VERIFY(banner->text().contains("ride on “board”"));
@@ -740,6 +741,36 @@ void TestPartList::whatStaysBehindMayRide() {
     QCOMPARE(parts()[1].ridesOn, std::string("board"));
     QVERIFY(settle(session));
     QVERIFY(!banner->text().contains("ride on"));
+}
+
+void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
+    QTest::addColumn<int>("headSize");
+    QTest::addColumn<QStringList>("expected");
+    QTest::newRow("larger than the arm") << 90 << QStringList{"ball on arm"};
+    QTest::newRow("smaller") << 60 << QStringList{"ball on arm", "head on arm", "eye on head"};
+}
+
+/// An eye on a head without a pin is not for the arm beside it; it follows the head if that follows the arm.
+void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
+    QFETCH(int, headSize);
+    QFETCH(QStringList, expected);
+    const auto layer = [](const char* name, int width, int height, int x, int y) {
+        return LayerToWrite{name, plainPicture(width, height, {90, 90, 90, 255}), x, y};
+    };
+    const QString path = m_folder.filePath("head.ora");
+    writeOpenRaster(
+        path.toStdString(),
+        {layer("eye", 20, 20, 30, 30), layer("head", headSize, headSize, 20, 20),
+         layer("ball", 24, 24, 300, 150), layer("arm", 160, 40, 120, 20), layer("ground", 400, 200, 0, 0)},
+        plainPicture(400, 200, {9, 9, 9, 255}));
+    QVERIFY(m_f->openFile(path));
+    ShapeSession& session = m_f->session();
+    session.addPin({200, 40, 0});
+    QVERIFY(settle(session));
+    QStringList found;
+    for (const StrayPart& one : strayParts(session))
+        found << QString::fromStdString(one.name + " on " + one.host);
+    QCOMPARE(found, expected);
 }
 
 /// Two blobs of one picture: the one without a pin becomes a part that follows the other one's map, which is
@@ -758,9 +789,9 @@ void TestPartList::islandsMayRide() {
     ShapeSession& session = m_f->session();
     session.addPin({35, 30, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({0, 7, 0});
-    session.endDrag(0.2);
+    session.gestures().begin();
+    session.gestures().moveBy({0, 7, 0});
+    session.gestures().end(0.2);
     QVERIFY(settle(session));
     const std::vector<StrayPart> strays = strayParts(session);
     QCOMPARE(strays.size(), std::size_t{1});

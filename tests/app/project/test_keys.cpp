@@ -9,7 +9,6 @@
 #include "app/project/edits/key_edits.h"
 #include "app/project/edits/pose_edits.h"
 #include "app/project/edits/progress.h"
-#include "app/project/edits/simplify_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"
 #include "core/motion/easing.h"

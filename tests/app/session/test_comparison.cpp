@@ -10,9 +10,8 @@
 #include "app/project/edits/material_edits.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/project/options/settings.h"
-#include "app/window/actions/backdrop_choice.h"
+#include "app/window/actions/look_choices.h"
 #include "app/window/compare_view.h"
-#include "app/window/tile_pictures.h"
 #include "core/energy/distortion.h"
 #include "tests/support/solid_fixture.h"
 
@@ -206,13 +205,13 @@ void TestComparison::moveLate() {
     QTest::mousePress(&canvas, Qt::LeftButton, {}, from.toPoint());
     for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas, from.toPoint() + (to - from.toPoint()) * i / 4);
     QVERIFY(session.isDragging());
-    const Amount amount = session.gesture()->newest();
-    const int samples = session.gesture()->sampleCount();
+    const Amount amount = session.gestures().drag()->newest();
+    const int samples = session.gestures().drag()->sampleCount();
     QVERIFY(amount.norm() > 0);
     QMouseEvent late(QEvent::MouseMove, from, canvas.mapToGlobal(from), Qt::NoButton, Qt::NoButton, {});
     QApplication::sendEvent(&canvas, &late);
-    QCOMPARE(session.gesture()->newest(), amount);
-    QCOMPARE(session.gesture()->sampleCount(), samples);
+    QCOMPARE(session.gestures().drag()->newest(), amount);
+    QCOMPARE(session.gestures().drag()->sampleCount(), samples);
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
     QVERIFY(settle(session));
 }
@@ -281,9 +280,9 @@ void TestComparison::halvesShowTheSamePart() {
     QVERIFY(own.view() == its.view());
     // Fitted to what is bent it stays so in a window of another size.
     m_f->session().selection().set({1});
-    m_f->session().beginDrag();
-    m_f->session().dragBy({150, -200, 0}, 0);
-    m_f->session().endDrag(1);
+    m_f->session().gestures().begin();
+    m_f->session().gestures().moveBy({150, -200, 0}, 0);
+    m_f->session().gestures().end(1);
     QVERIFY(settle(m_f->session()));
     m_f->window().actions().fit->trigger();
     const auto shows = [&](const ShapeCanvas& canvas) {
@@ -339,7 +338,7 @@ void TestComparison::tilesAreDropped() {
 
 void TestComparison::tilesArePreviewed() {
     QVERIFY(m_f->openPicture() && Bar<2>::hold(*m_f));
-    m_f->session().nudgeSelected({-60, 30, 0});
+    m_f->session().gestures().nudge({-60, 30, 0});
     QVERIFY(settle(m_f->session()));
     const auto& canvas = m_f->window().canvas();
     const auto before = m_f->session().document().project();
@@ -366,7 +365,7 @@ void TestComparison::tilesShowTheShape() {
     const auto picture = [&](int i) { return tile(i)->icon().pixmap(EnergySlider::pictureSize()).toImage(); };
     const QImage sample = picture(1);
     QVERIFY(solid ? Bar<3>::hold(*m_f) : Bar<2>::hold(*m_f));
-    solid ? m_f->session().nudgeSelected({-1, 0, 0.7}) : m_f->session().nudgeSelected({-100, 40, 0});
+    solid ? m_f->session().gestures().nudge({-1, 0, 0.7}) : m_f->session().gestures().nudge({-100, 40, 0});
     QVERIFY(settle(m_f->session()));
     auto* made = tiles().findChild<TilePictures*>();
     QTRY_VERIFY_WITH_TIMEOUT(made->isDone(), 60000);
@@ -440,7 +439,7 @@ void TestComparison::takePaintAway() {
     QCOMPARE(choice->findText(unpainted), -1);
     ShapeSession& session = m_f->session();
     session.selection().set({1});
-    session.nudgeSelected(inSpace(Bar<Dim>::way()));
+    session.gestures().nudge(inSpace(Bar<Dim>::way()));
     QVERIFY(settle(session));
     const Points<Dim> before = session.template frame<Dim>()->pose;
     MaterialRegion stiff;

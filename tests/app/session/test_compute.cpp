@@ -105,9 +105,9 @@ void TestCompute::open() {
 
 void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
     m_session->selection().set({handle});
-    m_session->beginDrag();
-    for (const Vec<2>& offset : way) m_session->dragBy(inSpace(offset));
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    for (const Vec<2>& offset : way) m_session->gestures().moveBy(inSpace(offset));
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
 }
 
@@ -384,12 +384,12 @@ void TestCompute::dragsGoOnFromWhatIsShown() {
     QVERIFY(seen.y() > 85 && seen.y() < 115);
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     m_session->selection().set({1});
-    m_session->beginDrag();
-    m_session->dragBy({-8, 0, 0});
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({-8, 0, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
     QVERIFY((m_session->pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-9);
     QVERIFY((m_session->frame<2>()->pose - pose).colwise().norm().maxCoeff() < 20);
-    m_session->endDrag(0.2);
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     QCOMPARE(notices.size(), 1);
     QCOMPARE(m_session->playback().time(), 1.0);
@@ -409,11 +409,11 @@ void TestCompute::escapeRestores() {
     QVERIFY(settle(*m_session));
     const Points<2> before = m_session->frame<2>()->pose;
     const int steps = m_session->document().undoStack()->count();
-    m_session->beginDrag();
-    m_session->dragBy({0, 20, 0});
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 20, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
     QVERIFY(m_session->frame<2>()->pose != before);
-    m_session->cancelDrag();
+    m_session->gestures().cancel();
     QVERIFY(m_session->frame<2>()->pose == before);
     QTest::qWait(50);
     QVERIFY(m_session->frame<2>()->pose == before);
@@ -456,7 +456,7 @@ void TestCompute::nudgesMerge() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     const int steps = m_session->document().undoStack()->count();
-    for (int i = 0; i < 4; ++i) m_session->nudgeSelected({1, 0, 0});
+    for (int i = 0; i < 4; ++i) m_session->gestures().nudge({1, 0, 0});
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
     QVERIFY((m_session->pins()[1].centre - Vec3(204, 80, 0)).norm() < 1e-9);
@@ -472,14 +472,14 @@ void TestCompute::foldsStopTheHandle() {
     QVERIFY(settle(*m_session));
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
     m_session->selection().set({1});
-    m_session->beginDrag();
+    m_session->gestures().begin();
     for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
-        m_session->dragBy({-5.0 * i, 0, 0});
+        m_session->gestures().moveBy({-5.0 * i, 0, 0});
         QTest::qWait(30);
     }
     QVERIFY(QTest::qWaitFor([&] { return !notices.isEmpty(); }, 20000));
     QVERIFY(notices.first().first().toString().startsWith(QStringLiteral("Pin 2")));
-    m_session->endDrag(0.2);
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->frame()->distortion->flips, 0);
     QVERIFY(m_session->pins()[1].centre.x() > 40);
@@ -698,7 +698,7 @@ void TestCompute::openMoved() {
     const auto frame = m_session->frame<Dim>();
     m_session->addHandle(std::vector<int>{0, 1}, "Pin");
     m_session->addHandle(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
-    m_session->moveSelected({}, {0.3, 0.2, 0});
+    m_session->gestures().moveAtOnce({}, {0.3, 0.2, 0});
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->playback().time(), 1.0);
 }
@@ -742,8 +742,8 @@ void TestCompute::nothingOutlivesItsDocument() {
     const FramePtr last = m_session->frame();
     QVERIFY(last);
     if (state == QStringLiteral("dragging")) {
-        m_session->beginDrag();
-        m_session->dragBy({0.1, 0, 0});
+        m_session->gestures().begin();
+        m_session->gestures().moveBy({0.1, 0, 0});
         QVERIFY(QTest::qWaitFor([this] { return m_session->frame()->live; }, 20000));
     }
     m_session->playback().setPlaying(state == QStringLiteral("playing"));
@@ -787,7 +787,7 @@ void TestCompute::closingEndsTheWork() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
-    m_session->moveSelected({}, {0, 40, 0});
+    m_session->gestures().moveAtOnce({}, {0, 40, 0});
     test::addPin(m_session->document(), {5, 5}, "stray");
     QSignalSpy problems(m_session.get(), &ShapeSession::problem),
         notices(m_session.get(), &ShapeSession::notice);

@@ -10,7 +10,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/timing_edits.h"
-#include "app/style/pin_marks.h"
+#include "app/views/shape/shape_painter.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"
@@ -278,7 +278,7 @@ void TestFilm::othersAreSeenGoingOn() {
     QTest::mouseMove(&canvas(), from);
     QTest::mousePress(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
     for (int i = 1; i <= 3; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
-    QVERIFY(session().gesture() && session().gesture()->records());
+    QVERIFY(session().gestures().drag() && session().gestures().drag()->records());
     const double whole = dimension == 2 ? 20 : 0.5;
     QVERIFY(QTest::qWaitFor([&] { return other() > begin + 0.5 * whole; }, 20000));
     QVERIFY(session().playback().time() >= 0.5);

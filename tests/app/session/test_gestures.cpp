@@ -78,14 +78,14 @@ void TestGestures::open(int vertices) {
 
 void TestGestures::begin(int handle) {
     m_session->selection().set({handle});
-    m_session->beginDrag();
+    m_session->gestures().begin();
     QVERIFY(m_session->isDragging());
 }
 
 void TestGestures::drag(int handle, const Vec<2>& way) {
     begin(handle);
-    m_session->dragBy(inSpace(way));
-    m_session->endDrag(0.2);
+    m_session->gestures().moveBy(inSpace(way));
+    m_session->gestures().end(0.2);
     QVERIFY(settled());
 }
 
@@ -104,7 +104,7 @@ void TestGestures::newPinIsThereAfterACancelledDrag() {
         const int added = m_session->addPin(inSpace(at));
         QTest::qWait(wait);
         begin(added);
-        m_session->cancelDrag();
+        m_session->gestures().cancel();
         QVERIFY(settled());
         const auto& points = m_session->frame<2>()->rest->points;
         QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
@@ -117,13 +117,13 @@ void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
     const int added = m_session->addPin({120.25, 80.5, 0});
     setVertices(m_session->document(), 1000000);  // nobody waits for it: the mesh below takes its place
     begin(added);
-    m_session->dragBy({0, 12, 0});
+    m_session->gestures().moveBy({0, 12, 0});
     QVERIFY(follows());
     QCOMPARE(m_session->frame<2>()->rest, before);
     QVERIFY(m_session->isBusy());
     QVERIFY((m_session->pins()[2].centre - Vec3(120.25, 92.5, 0)).norm() < 1e-9);
     QVERIFY(m_session->frame()->pinError < 1e-6);
-    m_session->endDrag(0.2);
+    m_session->gestures().end(0.2);
     setVertices(m_session->document(), 400);
     QVERIFY(settled());
     QVERIFY(m_session->frame<2>()->rest != before);
@@ -133,12 +133,12 @@ void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
 void TestGestures::undoEndsADrag() {
     open();
     begin(1);
-    m_session->dragBy({0, 8, 0});
+    m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
     m_session->document().undoStack()->undo();  // the pin that is being dragged
     QVERIFY(!m_session->isDragging());
-    m_session->dragBy({0, 12, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().moveBy({0, 12, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settled());
     QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
     QVERIFY(!m_session->frame()->live);
@@ -158,13 +158,13 @@ void TestGestures::framesFitTheirMesh() {
     for (int i = 0; i < 6; ++i) {
         const int added = m_session->addPin({70.0 + 15 * i, 80, 0});
         begin(added);
-        m_session->dragBy({0, 3, 0});
+        m_session->gestures().moveBy({0, 3, 0});
         QTest::qWait(7 * i);
-        m_session->dragBy({0, 5, 0});
+        m_session->gestures().moveBy({0, 5, 0});
         if (i % 2)
             m_session->document().undoStack()->undo();
         else
-            m_session->cancelDrag();
+            m_session->gestures().cancel();
         QTest::qWait(3 * i);
     }
     QVERIFY(settled());
@@ -174,14 +174,14 @@ void TestGestures::framesFitTheirMesh() {
 void TestGestures::anotherFileEndsADrag() {
     open();
     begin(1);
-    m_session->dragBy({0, 8, 0});
+    m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
     m_session->document().open(openFile(writeCutOut(*m_folder, QStringLiteral("other.png"))));
     QVERIFY(settled());
     QVERIFY(!m_session->frame()->live);
     const int added = m_session->addPin({40, 80, 0});
     begin(added);
-    m_session->dragBy({0, 8, 0});
+    m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
 }
 
@@ -195,14 +195,14 @@ void TestGestures::refusedDragsLeaveOthersAlone() {
     QVERIFY(settled());
     QSignalSpy problems(m_session.get(), &ShapeSession::problem);
     begin(inside);
-    m_session->dragBy({5, 0, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().moveBy({5, 0, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     begin(1);
-    m_session->dragBy({0, 8, 0});
+    m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->amount == Amount(0, 8, 0); }, 20000));
     QVERIFY(m_session->frame()->live && !m_session->frame()->stopped);
-    m_session->cancelDrag();
+    m_session->gestures().cancel();
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
 }
@@ -214,10 +214,10 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
     QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
     QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
     begin(1);
-    m_session->dragBy({0, 8, 0});
+    m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
     QVERIFY(m_session->isBusy() && busy.isEmpty());
-    m_session->cancelDrag();
+    m_session->gestures().cancel();
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
 }
@@ -226,14 +226,14 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
 void TestGestures::lastOfManySamplesIsFollowed() {
     open();
     begin(1);
-    m_session->dragBy({0, 1, 0});
+    m_session->gestures().moveBy({0, 1, 0});
     QVERIFY(follows());
     for (int burst = 1; burst <= 3; ++burst) {
-        for (int i = 0; i < 10; ++i) m_session->dragBy({0, 4.0 * burst + 0.1 * i, 0});
+        for (int i = 0; i < 10; ++i) m_session->gestures().moveBy({0, 4.0 * burst + 0.1 * i, 0});
         QTRY_COMPARE_WITH_TIMEOUT(m_session->frame()->sample, 1 + 10 * burst, 20000);
         QCOMPARE(m_session->frame()->amount.y(), 4.0 * burst + 0.9);
     }
-    m_session->cancelDrag();
+    m_session->gestures().cancel();
     QVERIFY(settled());
 }
 
@@ -246,15 +246,15 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
     const auto before = m_session->document().project();
     m_session->selection().set({0});
     QSignalSpy notices(m_session.get(), &ShapeSession::notice);
-    m_session->beginDrag();
+    m_session->gestures().begin();
     QVERIFY(!m_session->isDragging());
-    m_session->nudgeSelected({1, 0, 0});
+    m_session->gestures().nudge({1, 0, 0});
     QCOMPARE(m_session->document().project(), before);
     QCOMPARE(notices.size(), 2);
     m_session->selection().set({0, 1});  // the other one alone
-    m_session->beginDrag();
-    m_session->dragBy({0, 4, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 4, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settled());
     QVERIFY(m_session->document().design().handles[0].motions.empty());
     QCOMPARE(m_session->document().design().handles[1].motions.size(), std::size_t(2));
@@ -328,7 +328,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();
     m_session->playback().setTime(0.3 * end);
-    settleAtEnd(*m_session);
+    settleAtEnd(m_session->document(), m_session->playback());
     QVERIFY(settled());
     QCOMPARE(m_session->document().undoStack()->index(), steps + 1);
     QVERIFY((settlingOf(project()) == std::vector<SettleWindow>{{end, end + 1}}));
@@ -348,10 +348,10 @@ void TestGestures::anotherTimeIsNotThatOfTheDrag() {
     open();
     drag(1, {0, 20});
     m_session->selection().set({1});
-    m_session->beginDrag();
-    m_session->dragBy({0, 10, 0});
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 10, 0});
     QVERIFY(QTest::qWaitFor([&] { return m_session->frame() && m_session->frame()->live; }, 20000));
-    m_session->endDrag(0.2);
+    m_session->gestures().end(0.2);
     QVERIFY(m_session->isBusy());
     m_session->playback().setTime(0);
     const auto first = m_session->frame<2>();

@@ -112,15 +112,15 @@ int TestHeldBorder::dragMiddle() {
                      ? 1
                      : 0;
     });
-    m_session->beginDrag();
+    m_session->gestures().begin();
     for (int step = 1; step <= 5; ++step) {
-        m_session->dragBy({7.0 * step, 5.0 * step, 0});
+        m_session->gestures().moveBy({7.0 * step, 5.0 * step, 0});
         QTest::qWait(20);
     }
     const auto isLast = [&] { return live > 0 && m_session->frame()->sample == 5; };
     if (!QTest::qWaitFor(isLast, 60000)) return -1;
     wrong += border == Border::Slide && along < 1 ? 1 : 0;
-    m_session->endDrag(0.2);
+    m_session->gestures().end(0.2);
     disconnect(watch);
     return settle(*m_session) ? wrong : -1;
 }
@@ -159,7 +159,7 @@ void TestHeldBorder::borderIsHeld() {
     open(border);
     QCOMPARE(dragMiddle(), 0);
     changeSetting(m_session->document(), "material.memory", 0);
-    settleAtEnd(*m_session);
+    settleAtEnd(m_session->document(), m_session->playback());
     QVERIFY(settle(*m_session));
     for (const FramePtr& frame : m_session->track().frames()) {
         const Way way = wayOf(*posed<2>(frame));
@@ -196,9 +196,9 @@ void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
     const int pin = m_session->addPin({150, 0, 0});
     QVERIFY(pin >= 0);
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({0, 12, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 12, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
     int moved = 0;
@@ -231,7 +231,7 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
     const Region<3> region = HalfSpace<3>{{30, 0, 0}, {-1, 0, 0}};
     m_session->addHandle(byNumber ? Placement<3>(numbers) : Placement<3>(region), "End");
     const Vec<2> by(-8, 6);
-    m_session->moveSelected({}, {by.x(), by.y(), 0});
+    m_session->gestures().moveAtOnce({}, {by.x(), by.y(), 0});
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
     QCOMPARE(frame->rest, rest);

@@ -225,13 +225,13 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
     }
     session.selection().set({1});
     for (const int drag : {1, 2}) {
-        session.beginDrag();
-        for (int i = 1; i <= 4; ++i) session.dragBy(drag * handAt(i));
+        session.gestures().begin();
+        for (int i = 1; i <= 4; ++i) session.gestures().moveBy(drag * handAt(i));
         QVERIFY(
             QTest::qWaitFor([&] { return session.frame()->live && session.frame()->sample == 4; }, 60000));
         if (drag == 1)
             QVERIFY(nearer(session.frame<3>()->pose, *session.frame<3>()->built, slices > 500, phiBefore));
-        session.endDrag(1e-3);
+        session.gestures().end(1e-3);
         QVERIFY(test::settle(session));
         const Project& now = *session.document().project();
         const auto shape = std::get<Shape<3>>(loadShape(now, folder.path().toStdString()));

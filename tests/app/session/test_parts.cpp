@@ -101,7 +101,7 @@ class TestParts : public QObject {
     void mattesAreSoftWithinAShape();
     void limbsHangOnSeams();
     void layersAreWritten();
-    void layersArePages();
+    void layersOfPhotoshop();
     void partsAreChannels();
 
   private:
@@ -496,7 +496,7 @@ void TestParts::limbsHangOnSeams() {
 void TestParts::layersAreWritten() {
     const LoadedProject loaded = project(
         R"({"name": "square <1>", "image": "square.png", "at": [20, 8], "opacity": 0.5},
-           {"name": "bar", "image": "bar.png", "at": [10, 14], "hidden": true},
+           {"name": "bar", "image": "bar.png", "at": [10, 14], "hidden": true, "opacity": 0.3},
            {"name": "board", "image": "board.png"})",
         R"(, "handles": [{"at": {"part": "square <1>", "points": [[22, 10], [34, 22]]},
                           "motion": [{"kind": "translate", "by": [30, 20]}]}])");
@@ -525,10 +525,10 @@ void TestParts::layersAreWritten() {
         QVERIFY(!layer.isNull());
         const QPoint place(attributes.value("x").toInt(), attributes.value("y").toInt());
         if (names.size() == 1) {
-            QCOMPARE(attributes.value("opacity").toDouble(), 0.5);
             QVERIFY(isNear(pixelOf(layer, 58 - place.x(), 36 - place.y()), {0, 0, 1, 128 / 255.0}));
             QVERIFY(layer.width() < 25 && layer.height() < 25);
         }
+        QCOMPARE(attributes.value("opacity"), QStringList({"0.5", "0.3", "1"})[names.size() - 1]);
         QCOMPARE(attributes.value("visibility") == u"hidden", names.size() == 2);
     }
     QVERIFY(!xml.hasError());
@@ -538,44 +538,52 @@ void TestParts::layersAreWritten() {
     QVERIFY(!QImage(at("out/Thumbnails/thumbnail.png")).isNull());
 }
 
-/// Each page of a TIFF equals the part's own export to the bit; a line names properties that are lost.
-void TestParts::layersArePages() {
+/// Layers equal those of an OpenRaster file, and the part's own export, to the bit.
+void TestParts::layersOfPhotoshop() {
     const char* const motion = R"(, "handles": [{"at": {"part": "square", "points": [[22, 10], [34, 22]]},
         "motion": [{"kind": "rotate", "centre": [40, 30], "angle": 1.5}]}])";
-    const auto parts = [](const char* ofSquare, const char* ofOthers) {
+    const auto parts = [](const char* ofSquare, const char* ofBar, const char* ofBoard) {
         return QString(R"({"name": "square", "image": "square.png", "at": [20, 8]%1},
                           {"name": "bar", "image": "bar.png", "at": [10, 14]%2},
-                          {"name": "board", "image": "board.png"%2})")
-            .arg(ofSquare, ofOthers)
+                          {"name": "board", "image": "board.png"%3})")
+            .arg(ofSquare, ofBar, ofBoard)
             .toStdString();
     };
-    const LoadedProject loaded = project(parts("", R"(, "opacity": 0.5)"), motion);
+    const char* const faint = R"(, "opacity": 0.5)";
+    const LoadedProject loaded = project(parts("", R"(, "opacity": 0.5, "blend": "screen")", faint), motion);
     RunOptions options;
-    options.outputs.image = {at("out.layers.tif").toStdString(), at("same.ora").toStdString(),
-                             at("flat.tif").toStdString()};
+    options.outputs.image = {at("out.psd").toStdString(), at("same.ora").toStdString(),
+                             at("flat.png").toStdString()};
     options.backEnd = BackEndKind::Cpu;
     std::vector<std::string> told;
     RunWatch watch;
     watch.notice = [&](const Message& text) { told.push_back(text.text()); };
     QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options, watch).outcome ==
             Outcome::Done);
-    QCOMPARE(told,
-             std::vector{options.outputs.image[0] + ": layers of a TIFF have no opacity, visibility and "
-                                                    "blend mode: those of \"bar\", \"board\" are left out"});
-    const std::string pages = options.outputs.image[0];
-    const auto layers = fileMetadata(readImageHeader(pages))->layers;
-    const auto others = fileMetadata(readImageHeader(options.outputs.image[1]))->layers;
+    QVERIFY(told.empty());
+    const auto& [written, other, flat] =
+        std::tie(options.outputs.image[0], options.outputs.image[1], options.outputs.image[2]);
+    const auto layers = fileMetadata(readImageHeader(written))->layers;
+    const auto others = fileMetadata(readImageHeader(other))->layers;
     QCOMPARE(layers.size(), std::size_t(3));
-    QVERIFY(fileMetadata(readImageHeader(options.outputs.image[2]))->layers.empty());
     for (std::size_t k = 0; k < 3; ++k) {
-        QCOMPARE(layers[k].name, others[2 - k].name);
-        QCOMPARE(QPoint(layers[k].x, layers[k].y), QPoint(others[2 - k].x, others[2 - k].y));
+        const PictureLayer& same = others[2 - k];
+        QCOMPARE(layers[k].name, same.name);
+        QCOMPARE(QPoint(layers[k].x, layers[k].y), QPoint(same.x, same.y));
+        QVERIFY(std::abs(layers[k].opacity - same.opacity) < 0.5 / 255);
+        QCOMPARE(layers[k].blend, std::string(k == 1 ? "screen" : "normal"));
         const PixelLayout layout{PixelType::UInt8, 4, true, true};
-        QCOMPARE(converted(readLayer(pages, layers[k].name), layout).data,
-                 converted(readLayer(options.outputs.image[1], layers[k].name), layout).data);
+        QCOMPARE(converted(readLayer(written, layers[k].name), layout).data,
+                 converted(readLayer(other, layers[k].name), layout).data);
     }
-    const QImage alone = run(project(parts("", R"(, "hidden": true)"), motion));
-    const Image square = readLayer(pages, "square");
+    const PixelLayout onWhite{PixelType::UInt8, 3, false, false};
+    const Image seen = converted(readImage(written), onWhite), expected = converted(readImage(flat), onWhite);
+    QCOMPARE(seen.data.size(), expected.data.size());
+    for (std::size_t k = 0; k < seen.data.size(); ++k)
+        QVERIFY(std::abs(std::to_integer<int>(seen.data[k]) - std::to_integer<int>(expected.data[k])) <= 1);
+    const char* const hidden = R"(, "hidden": true)";
+    const QImage alone = run(project(parts("", hidden, hidden), motion));
+    const Image square = readLayer(written, "square");
     for (int y = 0; y < alone.height(); ++y)
         for (int x = 0; x < alone.width(); ++x) {
             const int i = x - layers[2].x, j = y - layers[2].y;
@@ -587,8 +595,15 @@ void TestParts::layersArePages() {
             if (isIn && value(3) > 0)
                 QCOMPARE(alone.pixelColor(x, y), QColor(value(0), value(1), value(2), value(3)));
         }
+    options.outputs.image.resize(1);
+    options.depth = PixelType::UInt16;
+    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome == Outcome::Done);
+    QVERIFY(readLayer(written, "bar").type == PixelType::UInt16);
+    options.depth = PixelType::Half;
+    QVERIFY_EXCEPTION_THROWN(runProject(*loaded.project, at("project.wend").toStdString(), options),
+                             InputError);
     RunOptions frames;
-    frames.outputs.frames = {at("f_##.layers.tif").toStdString()};
+    frames.outputs.frames = {at("f_##.psd").toStdString()};
     QVERIFY_EXCEPTION_THROWN(requirePossible(*loaded.project, frames.outputs), InputError);
 }
 

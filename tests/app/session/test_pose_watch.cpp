@@ -159,12 +159,12 @@ void TestPoseWatch::nothingIsKnownOfWhatMoves() {
     QVERIFY(open<2>("{'kind': 'translate', 'by': [-7.13, 0.71]}"));
     QVERIFY(isKnown("crossings"));
     m_f->session().selection().set({1});
-    m_f->session().beginDrag();
-    m_f->session().dragBy({0.5, 0, 0});
+    m_f->session().gestures().begin();
+    m_f->session().gestures().moveBy({0.5, 0, 0});
     QTRY_COMPARE(chip("crossings").text(), QStringLiteral("–"));
     QTest::qWait(600);
     QCOMPARE(chip("crossings").text(), QStringLiteral("–"));
-    m_f->session().endDrag(0.01);
+    m_f->session().gestures().end(0.01);
     QVERIFY(settle(m_f->session()));
     QVERIFY(isKnown("crossings"));
     QCOMPARE(chip("crossings").text(), QStringLiteral("2 places"));

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "app/panels/fields/magnitude_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/project/domain.h"

@@ -13,7 +13,7 @@
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/run.h"
 #include "app/project/domain.h"
-#include "app/project/edits/drawing_size.h"
+#include "app/project/edits/scaled_project.h"
 #include "app/project/file/project_reader.h"
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"

@@ -1,6 +1,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPointer>
 #include <QProcess>
 #include <QScopeGuard>
 #include <QSettings>
@@ -10,7 +11,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/film_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/film_edits.h"
@@ -18,14 +19,13 @@
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
 #include "app/window/film/ease_editor.h"
-#include "app/window/film/ease_plot.h"
 #include "app/window/film/key_pose_strip.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_scale.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
-#include "app/window/help/cheat_sheet.h"
+#include "app/window/help/shortcuts.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -277,8 +277,9 @@ void TestTrackTools::posesMakeRoomForRows() {
     tracks().setMinimumHeight(240);
     QTRY_VERIFY(poses().isVisible());
     QCOMPARE(tracks().ruler().y(), int(KeyPoseStrip::kHeight));
-    for (QMenu* old : m_window->window().findChildren<QMenu*>())
-        if (old->testAttribute(Qt::WA_DeleteOnClose)) delete old;
+    const auto menus = m_window->window().findChildren<QMenu*>();
+    for (const QPointer<QMenu>& old : QList<QPointer<QMenu>>(menus.begin(), menus.end()))
+        if (old && old->testAttribute(Qt::WA_DeleteOnClose)) delete old;  // and its submenus
     QContextMenuEvent event(QContextMenuEvent::Mouse, {200, 5}, tracks().ruler().mapToGlobal(QPoint(200, 5)));
     QCoreApplication::sendEvent(&tracks().ruler(), &event);
     for (QAction* action : tracks().ruler().findChild<QMenu*>()->actions())

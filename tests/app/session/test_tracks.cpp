@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 #include <QScopeGuard>
 #include <QSettings>
 #include <QSignalSpy>
@@ -117,8 +118,9 @@ void TestTracks::drag(QWidget& widget, const QPoint& from, const QPoint& by,
 
 /// Opens the menu there and returns the entry whose text begins so, with submenus.
 QAction* TestTracks::menuEntry(QWidget& at, const QPoint& place, const QString& text) {
-    for (QMenu* old : m_window->window().findChildren<QMenu*>())
-        if (old->testAttribute(Qt::WA_DeleteOnClose)) delete old;
+    const auto menus = m_window->window().findChildren<QMenu*>();
+    for (const QPointer<QMenu>& old : QList<QPointer<QMenu>>(menus.begin(), menus.end()))
+        if (old && old->testAttribute(Qt::WA_DeleteOnClose)) delete old;  // and its submenus
     QContextMenuEvent event(QContextMenuEvent::Mouse, place, at.mapToGlobal(place));
     QCoreApplication::sendEvent(&at, &event);
     for (QMenu* menu : m_window->window().findChildren<QMenu*>()) {

@@ -5,7 +5,7 @@
 
 #include "app/engine/motion/fields.h"
 #include "app/panels/distortion_panel.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/region_numbers.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/region_list.h"

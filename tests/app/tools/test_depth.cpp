@@ -217,9 +217,9 @@ void TestDepth::initTestCase() {
     const int hand = m_session.addPin({126, 41, 0});
     QVERIFY(hand >= 0 && m_session.addPin({250, 180, 0}) >= 0 && m_session.addPin({120, 180, 0}) >= 0);
     m_session.selection().set({hand});
-    m_session.beginDrag();
-    m_session.dragBy({60, 130, 0});
-    m_session.endDrag(0.2);
+    m_session.gestures().begin();
+    m_session.gestures().moveBy({60, 130, 0});
+    m_session.gestures().end(0.2);
     QVERIFY(settle(m_session));
 }
 

@@ -12,7 +12,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
-#include "app/project/edits/outline_edits.h"
+#include "app/project/edits/part_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
 #include "app/session/pins/pin_traits.h"
@@ -170,7 +170,7 @@ void TestOutlineTools::limbsBecomeParts() {
     QCOMPARE(partUnder(*m_canvas, m_canvas->toWidget({100, 80}), false), -1);  // what is in front of it
     m_session->selection().set({0});
     QVERIFY(!m_session->mayChange(0));  // a drag beside the part does not take the ground along …
-    m_session->beginDrag();
+    m_session->gestures().begin();
     QVERIFY(!m_session->isDragging());
     setLocked(*m_session, {0}, false);  // … until it is unlocked
     QVERIFY(m_session->mayChange(0));
@@ -331,9 +331,9 @@ void TestOutlineTools::whatIsAtRestStays() {
     const int pin = m_session->addPin({200, 100, 0});
     QVERIFY(pin >= 0 && m_session->addPin({60, 100, 0}) >= 0);
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({20, 10, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({20, 10, 0});
+    m_session->gestures().end(0.2);
     const auto painted = copyOf(*m_session->document().project());
     designOf(*painted).material.layers.push_back(layerWith("stiff", {{Ball<3>{{100, 100, 0}, 30}, 4}, 1.5}));
     depthOf(*painted).push_back(layerWith("front", 2, Ball<3>{{100, 100, 0}, 30}));
@@ -472,9 +472,9 @@ void TestOutlineTools::gesturesAreGivenUp() {
 void TestOutlineTools::drawnAtRest() {
     const int pin = m_session->addPin({200, 100, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({20, 10, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({20, 10, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     const double time = m_session->playback().time();
     QVERIFY(time > 0);

@@ -337,7 +337,7 @@ void TestPainting::stretchLess() {
         session.addHandle(inSpace(end), "End");
     }
     session.selection().set({1});
-    session.moveSelected(Grip{}, {Bar<Dim>::kUnit, 0, 0});
+    session.gestures().moveAtOnce(Grip{}, {Bar<Dim>::kUnit, 0, 0});
     QVERIFY(settle(session));
     const double plain = middleMoves<Dim>();
     QVERIFY(std::abs(plain - 0.5) < 0.03);  // by symmetry
@@ -769,11 +769,11 @@ void TestPainting::carryDirections() {
     Grip turn{Grip::Kind::Turn};
     turn.centre.template head<Dim>() = middle;
     if (Dim == 3) turn.axis = -Vec<3>::UnitY();  // towards who looks: from right to up
-    session.moveSelected(turn, {std::numbers::pi / 2, 0, 0});
+    session.gestures().moveAtOnce(turn, {std::numbers::pi / 2, 0, 0});
     for (const Vec<Dim>& step : {right, up}) {
         Amount amount = Amount::Zero();
         amount.template head<Dim>() = kStep * step;
-        session.moveSelected(Grip{}, amount);
+        session.gestures().moveAtOnce(Grip{}, amount);
     }
     QVERIFY(settle(session));
     const auto frame = session.frame<Dim>();

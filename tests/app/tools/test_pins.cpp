@@ -17,7 +17,6 @@
 #include "app/project/edits/handle_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
-#include "app/style/mark_size.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/paint/paint_tool.h"

@@ -11,8 +11,7 @@
 #include <QTreeWidget>
 #include <numbers>
 
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/fields/number_box.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/handle_panel.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/film_time.h"
@@ -29,7 +28,7 @@
 #include "app/window/film/time_strip.h"
 #include "app/window/main_window.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/toolbar/option_row.h"
+#include "app/window/toolbar/rows.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;
@@ -365,8 +364,8 @@ void TestPosing::ringRotatesAndScales() {
     moveWithShift(ringSpot(1, 42, -10));
     QTest::qWait(300);
     picture(QStringLiteral("ring"));
-    QVERIFY(session().gesture());
-    const double steps = session().gesture()->amount()[0] / (std::numbers::pi / 12);
+    QVERIFY(session().gestures().drag());
+    const double steps = session().gestures().drag()->amount()[0] / (std::numbers::pi / 12);
     QVERIFY(std::abs(steps - std::round(steps)) < 1e-9 && std::round(steps) == 2);
     const int count = session().document().undoStack()->count();
     QTest::keyClick(&canvas(), Qt::Key_Escape);
@@ -386,7 +385,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QTest::keyClick(&canvas(), Qt::Key_R);
     QVERIFY(pinActions().turn->isChecked());
     press(ringSpot(1, -90, 0), ringSpot(1, 0, -90));  // a quarter, clockwise
-    QVERIFY(session().gesture() && session().gesture()->grip().kind == Grip::Kind::Turn);
+    QVERIFY(session().gestures().drag() && session().gestures().drag()->grip().kind == Grip::Kind::Turn);
     release(ringSpot(1, 0, -90));
     const auto* turn = std::get_if<Rotate<3>>(&handles()[1].motions.at(0).kind);
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.01);
@@ -394,19 +393,19 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QCOMPARE(handles().size(), count);
     // From the very middle: the direction counts once it is one.
     press(ringSpot(1, -3, 2), ringSpot(1, 60, 0));
-    QVERIFY(session().gesture() && std::abs(session().gesture()->amount()[0]) < 0.05);
+    QVERIFY(session().gestures().drag() && std::abs(session().gestures().drag()->amount()[0]) < 0.05);
     QTest::mouseMove(&canvas(), ringSpot(1, 52, 30));
-    QVERIFY(std::abs(session().gesture()->amount()[0] - std::numbers::pi / 6) < 0.05);
+    QVERIFY(std::abs(session().gestures().drag()->amount()[0] - std::numbers::pi / 6) < 0.05);
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 52, 30));
     QTest::keyClick(&canvas(), Qt::Key_S);
     press(ringSpot(1, -60, 0), ringSpot(1, -90, 0));
-    QVERIFY(session().gesture() && session().gesture()->grip().kind == Grip::Kind::Grow);
-    QVERIFY(std::abs(session().gesture()->amount()[0] - 0.5) < 0.01);
+    QVERIFY(session().gestures().drag() && session().gestures().drag()->grip().kind == Grip::Kind::Grow);
+    QVERIFY(std::abs(session().gestures().drag()->amount()[0] - 0.5) < 0.01);
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, -90, 0));
     press(ringSpot(1, 0, 0), ringSpot(1, 0, -16));
-    QVERIFY(std::abs(session().gesture()->amount()[0] - 1) < 0.1);
+    QVERIFY(std::abs(session().gestures().drag()->amount()[0] - 1) < 0.1);
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 0, -16));
     QTest::keyClick(&canvas(), Qt::Key_G);
@@ -422,7 +421,7 @@ void TestPosing::pointsBecomeDiscs() {
         QTest::keyClick(&canvas(), key);
         press(ringSpot(1, -70, 0), ringSpot(1, -90, 30));
         QVERIFY(session().isDragging());
-        QVERIFY(session().gesture() && session().gesture()->grip().kind == kind);
+        QVERIFY(session().gestures().drag() && session().gestures().drag()->grip().kind == kind);
         QTest::keyClick(&canvas(), Qt::Key_Escape);
         release(ringSpot(1, -90, 30));
         QCOMPARE(pin(1), before);

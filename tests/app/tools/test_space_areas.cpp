@@ -206,7 +206,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     QVERIFY(held() > few && count().endsWith(QStringLiteral(" ") + QString::number(held())));
     QVERIFY(m_f->session().document().undoStack()->count() <= steps + 1);  // one step for all
     m_f->actions().oblique->trigger();
-    m_f->session().moveSelected(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
+    m_f->session().gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("region"));
     type(0, QStringLiteral("50"));  // from 50 to 2.6: nothing is in it
@@ -283,7 +283,7 @@ void TestSpaceAreas::sizesAndValuesAreTold() {
 void TestSpaceAreas::velocityIsTheFieldItself() {
     QVERIFY(m_f->holdEnds());
     ShapeSession& session = m_f->session();
-    session.moveSelected(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
+    session.gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
     QVERIFY(settle(session));
     m_f->window().actions().showArrows->setChecked(true);
     for (const double time : {0.5, 1.0}) {

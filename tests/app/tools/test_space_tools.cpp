@@ -45,7 +45,7 @@ void TestSpaceTools::init() {
 /// The right end goes up and to the side along a curve.
 bool TestSpaceTools::makeCurve() {
     if (!m_f->holdEnds()) return false;
-    m_f->session().moveSelected(Grip{}, {-0.4, 0, 1});
+    m_f->session().gestures().moveAtOnce(Grip{}, {-0.4, 0, 1});
     if (!settle(m_f->session())) return false;
     m_f->window().curves().make->trigger();
     return settle(m_f->session()) && curve().size() == 4;

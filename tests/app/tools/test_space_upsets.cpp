@@ -2,8 +2,8 @@
 #include <QListWidget>
 #include <QSignalSpy>
 
-#include "app/panels/curve_panel.h"
-#include "app/panels/fields/exact_box.h"
+#include "app/panels/fields/number_boxes.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/region_panel.h"
 #include "app/project/design.h"
@@ -54,7 +54,7 @@ void TestSpaceUpsets::init() {
 /// The right end goes up and to the side along a curve.
 bool TestSpaceUpsets::makeCurve() {
     if (!m_f->holdEnds()) return false;
-    m_f->session().moveSelected(Grip{}, {-0.4, 0, 1});
+    m_f->session().gestures().moveAtOnce(Grip{}, {-0.4, 0, 1});
     if (!settle(m_f->session())) return false;
     m_f->window().curves().make->trigger();
     return settle(m_f->session()) && curve().size() == 4;
@@ -167,7 +167,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     QVERIFY(m_f->holdEnds());
     for (const int handle : {0, 1}) {
         m_f->session().selection().set({handle});
-        m_f->session().moveSelected(Grip{}, {handle == 0 ? 0.4 : -0.4, 0, 1});
+        m_f->session().gestures().moveAtOnce(Grip{}, {handle == 0 ? 0.4 : -0.4, 0, 1});
         QVERIFY(settle(m_f->session()));
         m_f->window().curves().make->trigger();
         QVERIFY(settle(m_f->session()));

@@ -4,9 +4,9 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 
-#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
+#include "app/panels/handle_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/views/canvas/canvas.h"

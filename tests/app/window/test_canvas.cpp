@@ -156,9 +156,9 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
     const double zoom = m_canvas->view().zoom();
     const int pin = m_session->addPin({40, 80, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({300, -400, 0});
-    m_session->endDrag(0.5);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({300, -400, 0});
+    m_session->gestures().end(0.5);
     QVERIFY(settle(*m_session));
     QVERIFY(seen() && m_canvas->view().zoom() < 0.9 * zoom);
     const Points<2>& pose = m_session->frame<2>()->pose;
@@ -197,9 +197,9 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     const int pin = m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({0, 20, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 20, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
     View view;
@@ -540,9 +540,9 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
     const int pin = m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({0, 30, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 30, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     QVERIFY2(tool.text().isEmpty(), qPrintable(tool.text()));  // pins are vertices: another mesh
     click(60, 110);
@@ -625,9 +625,9 @@ void TestCanvas::bendFar() {
     m_session->addPin({40, 80, 0});
     const int pin = m_session->addPin({200, 80, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({-40, -70, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({-40, -70, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     m_session->selection().clear();
 }
@@ -641,7 +641,7 @@ QPoint TestCanvas::pixelAt(const Vec<2>& p) const {
 void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     bendFar();
     m_session->selection().set({0, 1});  // so that every place lies elsewhere
-    m_session->moveSelected({}, {0, -45, 0});
+    m_session->gestures().moveAtOnce({}, {0, -45, 0});
     m_session->selection().clear();
     QVERIFY(settle(*m_session));
     const auto frame = m_session->frame<2>();
@@ -729,14 +729,14 @@ void TestCanvas::draggedPinsAreNotCovered() {
     m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({60, 0, 0});
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({60, 0, 0});
     const PinView dragged = m_session->pins()[0];
     QVERIFY((dragged.centre - Vec3(100, 80, 0)).norm() < 1e-9);
     QVERIFY((m_session->frame()->at(dragged.places[0]) - Vec3(40, 80, 0)).norm() < 1e-9);
     QVERIFY(m_canvas->touch(m_canvas->onScreen(dragged.centre)));
     QVERIFY(!isMarkCovered(*m_canvas, dragged));
-    m_session->cancelDrag();
+    m_session->gestures().cancel();
 }
 
 /// Of a curve after another motion, and where it is short on the screen not one over the other.

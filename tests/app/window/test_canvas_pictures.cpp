@@ -238,9 +238,9 @@ void TestCanvasPictures::bend() {
     const int pin = m_session->addPin({0.2 * kWidth, 0.3 * kHeight, 0});
     m_session->addPin({0.8 * kWidth, 0.7 * kHeight, 0});
     m_session->selection().set({pin});
-    m_session->beginDrag();
-    m_session->dragBy({90, 60, 0});
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({90, 60, 0});
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
 }
 
@@ -385,9 +385,9 @@ void TestCanvasPictures::openCutOut(const QImage& image) {
 
 void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec<2>& by) {
     m_session->selection().set(pins);
-    m_session->beginDrag();
-    m_session->dragBy(inSpace(by));
-    m_session->endDrag(0.2);
+    m_session->gestures().begin();
+    m_session->gestures().moveBy(inSpace(by));
+    m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
 }
 

@@ -12,7 +12,7 @@
 #include "app/project/edits/film_edits.h"
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/picture_dialog.h"
 #include "app/window/main_window.h"
@@ -115,9 +115,9 @@ void TestExportDialog::bend(double dx, double dy) {
     session().addPin({40, 80, 0});
     session().addPin({200, 80, 0});
     QVERIFY(settle(session()));
-    session().beginDrag();
-    session().dragBy({dx, dy, 0});
-    session().endDrag(0.5);
+    session().gestures().begin();
+    session().gestures().moveBy({dx, dy, 0});
+    session().gestures().end(0.5);
     QVERIFY(settle(session()));
 }
 
@@ -320,10 +320,10 @@ void TestExportDialog::cropsAreToldSideBySide() {
     QVERIFY(top > 10);
     const QString atTop = QStringLiteral("%1 px at the top").arg(std::ceil(top));
     QVERIFY2(told(ExportKind::Picture).endsWith(": " + atTop + '.'), qPrintable(told(ExportKind::Picture)));
-    session().beginDrag();
-    session().dragBy({0, 220, 0});
-    session().dragBy({0, 110, 0});
-    session().endDrag(0.5);
+    session().gestures().begin();
+    session().gestures().moveBy({0, 220, 0});
+    session().gestures().moveBy({0, 110, 0});
+    session().gestures().end(0.5);
     QVERIFY(settle(session()));
     QCOMPARE(told(ExportKind::Picture), QString());
     double above = 0, below = 0;

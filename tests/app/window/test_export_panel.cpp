@@ -92,9 +92,9 @@ bool TestExportPanel::bend(double dx, double dy) {
         session.addPin({200, 80, 0});
         if (!settle(session)) return false;
     }
-    session.beginDrag();
-    session.dragBy({dx, dy, 0});
-    session.endDrag(0.5);
+    session.gestures().begin();
+    session.gestures().moveBy({dx, dy, 0});
+    session.gestures().end(0.5);
     return settle(session);
 }
 

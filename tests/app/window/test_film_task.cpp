@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/run_options.h"
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/fields/memory_slider.h"
+#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/option_field.h"
+#include "app/panels/flow_panel.h"
 #include "app/project/edits/film_edits.h"
 #include "app/project/edits/key_edits.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/export/exporter.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_scale.h"

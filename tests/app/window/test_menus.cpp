@@ -235,15 +235,15 @@ void TestMenus::refusedDragsStayWithTheShape() {
     QVERIFY(settle(m_window->session()));
     ShapeSession& session = m_window->session();
     session.selection().set({1});
-    session.beginDrag();
-    for (int i = 1; i <= 8; ++i) session.dragBy({-8.0 * i, 0, 0});
+    session.gestures().begin();
+    for (int i = 1; i <= 8; ++i) session.gestures().moveBy({-8.0 * i, 0, 0});
     QVERIFY(QTest::qWaitFor([&] { return session.frame()->stopped; }, 30000));
-    QVERIFY(session.gesture()->isStopped());
+    QVERIFY(session.gestures().drag()->isStopped());
     const auto shown = session.frame<2>();
     const Vec<2> pin = inPlane(session.pins()[1].centre);
     const double gap = (shown->pose.colwise() - pin).colwise().norm().minCoeff();
     QVERIFY2(gap < 1e-6, qPrintable(QString::number(gap)));
-    session.cancelDrag();
+    session.gestures().cancel();
 }
 
 QTEST_MAIN(TestMenus)

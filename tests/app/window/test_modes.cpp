@@ -25,8 +25,8 @@
 #include "app/session/pins/pin_shapes.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
-#include "app/window/help/cheat_sheet.h"
-#include "app/window/help/manual_window.h"
+#include "app/window/help/shortcuts.h"
+#include "app/window/help/side_windows.h"
 #include "app/window/properties.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
@@ -499,11 +499,11 @@ void TestModes::backslashShowsTheShapeBefore() {
     const QImage before = seen();
     if (solid) {
         QVERIFY(m_f->holdEnds());
-        session.moveSelected(Grip{}, {0, 0, 0.8});
+        session.gestures().moveAtOnce(Grip{}, {0, 0, 0.8});
     } else {
         for (const double x : {40, 200}) session.addPin({x, 80, 0});
         session.selection().set({1});
-        session.moveSelected(Grip{}, {0, 25, 0});
+        session.gestures().moveAtOnce(Grip{}, {0, 25, 0});
     }
     QVERIFY(settle(session));
     const QImage bent = seen();

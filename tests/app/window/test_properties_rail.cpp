@@ -4,7 +4,7 @@
 
 #include "app/panels/material_panel.h"
 #include "app/panels/pin_list.h"
-#include "app/window/properties_rail.h"
+#include "app/window/properties.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

@@ -8,8 +8,7 @@
 #include <QTreeWidget>
 
 #include "app/window/actions/toolbox.h"
-#include "app/window/help/cheat_sheet.h"
-#include "app/window/help/shortcut_dialog.h"
+#include "app/window/help/shortcuts.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"
 

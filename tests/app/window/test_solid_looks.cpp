@@ -10,7 +10,7 @@
 #include "app/tools/pins/pin_picking.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/actions/backdrop_choice.h"
+#include "app/window/actions/look_choices.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/main_window.h"
 #include "app/window/solid_workshop.h"

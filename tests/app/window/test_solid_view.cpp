@@ -7,7 +7,7 @@
 #include <QWheelEvent>
 
 #include "app/panels/distortion_panel.h"
-#include "app/panels/folding_section.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/file/project_writer.h"
 #include "tests/support/layers.h"

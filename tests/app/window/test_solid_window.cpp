@@ -317,7 +317,7 @@ void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
     };
     {
         const AddressLimit limit(450);
-        m_f->session().moveSelected({}, {0, 0, 0.3});
+        m_f->session().gestures().moveAtOnce({}, {0, 0, 0.3});
         QVERIFY(QTest::qWaitFor([&] { return m_f->session().lacksMemory(); }, 60000));
     }
     QVERIFY(m_f->window().banner().text().contains(QStringLiteral("memory")));
@@ -358,7 +358,7 @@ void TestSolidWindow::turningTwistsTheBar() {
     grip.kind = Grip::Kind::Turn;
     grip.centre = m_f->session().pins()[1].centre;
     grip.axis = Vec<3>::UnitX();
-    m_f->session().moveSelected(grip, {M_PI / 2, 0, 0});
+    m_f->session().gestures().moveAtOnce(grip, {M_PI / 2, 0, 0});
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().frame()->distortion->flips, 0);
     // A corner of the turned end has gone a quarter of a circle: y → z.
@@ -372,7 +372,7 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->window().findChild<PinActions*>()->turn->trigger();
     m_f->picture(QStringLiteral("twist"));
     grip.kind = Grip::Kind::Grow;
-    m_f->session().moveSelected(grip, {0.5, 0, 0});
+    m_f->session().gestures().moveAtOnce(grip, {0.5, 0, 0});
     QVERIFY(settle(m_f->session()));
     for (const int v : m_f->session().verticesOf(1)) {
         const Vec<3> rest = frame->rest->points.col(v);
@@ -509,7 +509,7 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
     Grip grip;
-    m_f->session().moveSelected(grip, {0, 0.3, 0.8});
+    m_f->session().gestures().moveAtOnce(grip, {0, 0.3, 0.8});
     QVERIFY(settle(m_f->session()));
     const QImage plain = m_f->canvas().grabFramebuffer();
     m_f->window().actions().showMap->setChecked(true);
@@ -531,7 +531,7 @@ void TestSolidWindow::curvePointsAreDragged() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->session().moveSelected(Grip{}, {0, 0, 0.8});
+    m_f->session().gestures().moveAtOnce(Grip{}, {0, 0, 0.8});
     QVERIFY(settle(m_f->session()));
     const Vec3 end = m_f->session().pins()[1].centre;
     const auto curved = withCurve(m_f->session().document().design(), 1, end);

@@ -15,7 +15,7 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
-#include "app/panels/folding_section.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/mesh_panel.h"
 #include "app/panels/surface_panel.h"

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QThreadPool>
 
-#include "app/window/files/file_card.h"
+#include "app/window/files/start_page.h"
 #include "app/window/files/thumbnail.h"
 #include "app/window/main_window.h"
 #include "tests/support/window_fixture.h"
@@ -173,9 +173,9 @@ void TestThumbnail::savedProjectShowsWhatWasSeen() {
     QVERIFY(settle(session));
     session.addPin({40, 80, 0});
     session.selection().set({session.addPin({200, 80, 0})});
-    session.beginDrag();
-    session.dragBy({60, -120, 0});
-    session.endDrag(0.3);
+    session.gestures().begin();
+    session.gestures().moveBy({60, -120, 0});
+    session.gestures().end(0.3);
     QVERIFY(settle(session));
     session.document().save(at("bent.wend"));
     const Thumbnail bent = thumbnailOf(at("bent.wend"));

@@ -9,7 +9,7 @@
 #include <QXmlStreamReader>
 
 #include "app/window/actions/toolbox.h"
-#include "app/window/files/file_card.h"
+#include "app/window/files/start_page.h"
 #include "app/window/properties.h"
 #include "tests/support/solid_fixture.h"
 #include "tests/support/whole_texts.h"

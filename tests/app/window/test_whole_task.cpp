@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/exact_box.h"
-#include "app/panels/folding_section.h"
+#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/pin_list.h"
 #include "app/project/edits/curve_edits.h"

@@ -9,21 +9,21 @@
 #include <QTextBrowser>
 #include <QTranslator>
 
-#include "app/panels/folding_section.h"
+#include "app/panels/fields/panel_parts.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/project/design.h"
 #include "app/window/compare_view.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/picture_dialog.h"
 #include "app/window/files/file_workflow.h"
-#include "app/window/help/cheat_sheet.h"
-#include "app/window/help/manual_window.h"
+#include "app/window/help/shortcuts.h"
+#include "app/window/help/side_windows.h"
 #include "app/window/help/tutorial.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/work_note.h"
-#include "app/window/properties_rail.h"
+#include "app/window/properties.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/layers.h"
 #include "tests/support/solid_fixture.h"
@@ -180,9 +180,9 @@ void TestWholeTexts::bend() {
     session.addPin({40, 80, 0});
     session.addPin({200, 80, 0});
     QVERIFY(settle(session));
-    session.beginDrag();
-    session.dragBy({0, 20, 0});
-    session.endDrag(0.5);
+    session.gestures().begin();
+    session.gestures().moveBy({0, 20, 0});
+    session.gestures().end(0.5);
     QVERIFY(settle(session));
 }
 

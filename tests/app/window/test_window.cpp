@@ -12,9 +12,9 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/panels/curve_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/material_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/project/design.h"
@@ -26,12 +26,12 @@
 #include "app/window/actions/actions.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/toolbox.h"
-#include "app/window/export/export_dialog.h"
+#include "app/window/export/export_form.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/main_window.h"
 #include "app/window/notices/info_banner.h"
+#include "app/window/notices/offers.h"
 #include "app/window/notices/picture_checks.h"
-#include "app/window/notices/spring_offer.h"
 #include "app/window/properties.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
