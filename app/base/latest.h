@@ -21,8 +21,8 @@ struct Answer {
 };
 
 /// Questions that are answered in the background, of which only the newest counts: the next one, drop() and
-/// the end of this object stop the work on the one before, and its answer is not taken.
-/// For the thread of its context.
+/// the end of this object stop the work on the one before, and its answer is not taken. It may only be used
+/// in the thread of its context.
 class Latest {
   public:
     /// `context` must outlive this object, such as its owner does.

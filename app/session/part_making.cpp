@@ -188,7 +188,7 @@ bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec<2>& p) 
         cells, [&](const Cell<2>& cell) { return barycentric<2>(rest.points, cell, p).minCoeff() >= 0; });
 }
 
-/// Returns whether at least half of a part lies on another one.
+/// Returns whether another part is under at least half of a part.
 bool liesOn(const SimplicialMesh<2>& rest, const MeshPart& part, const MeshPart& other) {
     const auto points = rest.points.middleCols(other.firstVertex, other.endVertex - other.firstVertex);
     const Eigen::AlignedBox2d box(Vec<2>(points.rowwise().minCoeff()), Vec<2>(points.rowwise().maxCoeff()));
@@ -213,7 +213,8 @@ class StrayFinder {
         }
     }
 
-    /// What lies on a stray part stays with it.
+    /// Returns the stray parts with their hosts. A part on top of another stray part gets that one as its
+    /// host, once that one has a host itself.
     std::vector<StrayPart> find() {
         if (m_held.empty()) return {};
         std::vector<std::pair<const MeshPart*, const MeshPart*>> lying;
@@ -235,8 +236,8 @@ class StrayFinder {
     }
 
   private:
-    /// Returns the smallest stray part that a part lies on, and the held one beside it does not: that would
-    /// be the ground of both.
+    /// Returns the smallest stray part under a part; null if there is none. A part that is also under the
+    /// held one is the ground of both and does not count.
     const MeshPart* carrierOf(const MeshPart& part, const MeshPart& held) const {
         const MeshPart* smallest = nullptr;
         for (const MeshPart* other : m_stray) {

@@ -225,8 +225,8 @@ void TestLayeredFiles::masksOfGroupsAreApplied() {
                     QVERIFY(std::abs(sample(image, x, y, 3) - factor * pixel(x, y)[3] * scale) <= 0.51);
                     QCOMPARE(sample(image, x, y, 1), scale * pixel(x, y)[1]);
                 }
-            for (const PictureLayer& one : fileMetadata(readImage(given(name)))->layers)
-                QVERIFY(one.leftOut.empty());
+            const Image whole = readImage(given(name));
+            for (const PictureLayer& one : fileMetadata(whole)->layers) QVERIFY(one.leftOut.empty());
         }
 }
 

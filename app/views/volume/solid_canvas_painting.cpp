@@ -13,7 +13,7 @@
 #include "core/mesh/simplicial_mesh.h"
 #include "core/mesh/skin.h"
 
-// What is drawn on a solid and over it, and its interface for tools.
+// Painting on and over a solid, and the interface for tools.
 
 namespace wend {
 

@@ -482,7 +482,7 @@ void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString
     document.changeDomain(name, std::move(next));
 }
 
-/// Applies the fix as soon as it is known.
+/// Applies the fix of all faults of the kind; if it is still being computed, as soon as it is known.
 void SurfaceCheck::fixAll() {
     if (const auto known = m_all.fix) return fix(known, tr("Fix all faults of a kind"));
     m_all.isWanted = true;
