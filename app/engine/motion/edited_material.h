@@ -7,9 +7,18 @@
 #include <vector>
 
 #include "app/engine/motion/frame.h"
-#include "app/engine/shape/erasing.h"
+#include "app/project/design.h"
 
 namespace wend {
+
+/// The place and strength of an eraser.
+struct Eraser {
+    Region<3> shape;
+    double feather = 0;
+    double amount = 1;
+    int cell = 0;           // that the amount is of; of no account where all is erased
+    std::string part = {};  // of a picture, that alone is erased; empty: whatever lies there
+};
 
 /// The material of a frame, for tools that change it. Functions that lay regions throw InputError that names
 /// the key if a picture of cell values in the project's folder cannot be read.
@@ -36,7 +45,10 @@ class EditedMaterial {
     virtual FramePtr with(const MaterialSpec& spec, std::size_t first = 0) = 0;
     /// Returns whether every cell of another frame of this shape has the same φ and B, to 1e-9.
     virtual bool equals(const ShapeFrame& other) const = 0;
+    /// Removes paint from all visible layers, so that the shape behaves as elsewhere, even after later
+    /// changes. Adds no layer.
     virtual Design erased(const Design& design, std::span<const Eraser> erasers) const = 0;
+    /// Removes visible layers of which erasing has left almost nothing.
     virtual Design withoutErasedLayers(const Design& design) const = 0;
 };
 

@@ -14,13 +14,13 @@
 #include <numbers>
 #include <random>
 
-#include "app/engine/shape/part_seam.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/run.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/file/project_reader.h"
 #include "app/project/file/project_writer.h"
+#include "app/session/part_making.h"
 #include "core/base/error.h"
 #include "core/integration/deformer.h"
 #include "core/meshing/outline_combination.h"
