@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/engine/motion/fields.h"
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/fields/panel_parts.h"
@@ -44,8 +45,8 @@ QString degrees(double radians) {
 }
 
 /// Values at rest that are only rounding become zero.
-double shownValue(const PosedFrame<3>& frame, const Points<3>& velocity, Measure measure, int cell) {
-    const double value = cellValue<3>(frame, velocity, measure, cell);
+double shownValue(const PosedFrame<3>& frame, const Eigen::MatrixXd& velocity, Measure measure, int cell) {
+    const double value = cellValue(frame, measure, cell, velocity);
     return isDistortion(measure) && std::abs(value) < kLeastError ? 0 : value;
 }
 
@@ -125,7 +126,7 @@ void MeasurePanel::showPointed() {
         m_cell->clear();
         return;
     }
-    const Points<3> velocity = m_session.velocity<3>();
+    const Eigen::MatrixXd velocity = m_session.velocity();
     m_point->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Vertex %1").arg(m_vertex)) +
                      tableLine(tr("place"), place(frame->pose.col(m_vertex), frame->diagonal)) +
                      tableLine(tr("at rest"), place(frame->rest->points.col(m_vertex), frame->diagonal)) +

@@ -284,23 +284,15 @@ void ShapeMotion::takeField(int number, const VelocityPtr& field) {
     if (m_answered.frame == m_frame) emit frameChanged();
 }
 
-template <int Dim>
-Points<Dim> ShapeMotion::velocity() const {
-    if (hasVelocity() && m_field->rows() == Dim) return *m_field;
-    const auto shown = posed<Dim>(frame());
-    return shown ? velocityBetween<Dim>(m_track, *shown) : Points<Dim>(Dim, 0);
+Eigen::MatrixXd ShapeMotion::velocity() const {
+    if (hasVelocity()) return *m_field;
+    const FramePtr shown = frame();
+    return shown ? velocityBetween(m_track, *shown) : Eigen::MatrixXd();
 }
 
-template <int Dim>
-Points<Dim> ShapeMotion::influence() const {
-    const bool isThere = answers(FieldKind::Influence) && m_field->rows() == Dim &&
-                         m_answered.handles == m_selection.handles();
-    return isThere ? Points<Dim>(*m_field) : Points<Dim>(Dim, 0);
+Eigen::MatrixXd ShapeMotion::influence() const {
+    const bool isThere = answers(FieldKind::Influence) && m_answered.handles == m_selection.handles();
+    return isThere ? *m_field : Eigen::MatrixXd();
 }
-
-template Points<2> ShapeMotion::influence<2>() const;
-template Points<3> ShapeMotion::influence<3>() const;
-template Points<2> ShapeMotion::velocity<2>() const;
-template Points<3> ShapeMotion::velocity<3>() const;
 
 }  // namespace wend

@@ -62,10 +62,8 @@ class ShapeMotion : public QObject {
     enum class FieldKind { None, Velocity, Influence };
     void setFieldWanted(FieldKind wanted);
     bool hasVelocity() const { return answers(FieldKind::Velocity); }
-    template <int Dim>
-    Points<Dim> velocity() const;
-    template <int Dim>
-    Points<Dim> influence() const;
+    Eigen::MatrixXd velocity() const;
+    Eigen::MatrixXd influence() const;
     void takeSelection();
 
   signals:

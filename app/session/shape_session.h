@@ -62,17 +62,11 @@ class ShapeSession : public QObject {
     std::vector<Vec3> pathStarts(int handle) const { return m_pins.pathStarts(handle); }
     /// Returns the velocities at the shown time: v̂ once it is solved (see setFieldWanted), until then the
     /// difference of the neighbouring frames.
-    template <int Dim>
-    Points<Dim> velocity() const {
-        return m_motion.velocity<Dim>();
-    }
+    Eigen::MatrixXd velocity() const { return m_motion.velocity(); }
     bool hasVelocity() const { return m_motion.hasVelocity(); }
     /// Returns the influence of the selected handles on each vertex in the first row; no columns while it is
     /// unknown, or if nothing is selected.
-    template <int Dim>
-    Points<Dim> influence() const {
-        return m_motion.influence<Dim>();
-    }
+    Eigen::MatrixXd influence() const { return m_motion.influence(); }
     using FieldKind = ShapeMotion::FieldKind;
     /// Sets the field that is solved for at the shown time, except during playback; `frameChanged` reports
     /// its arrival.

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "app/engine/motion/fields.h"
-#include "app/engine/motion/rest_frame.h"
 #include "app/project/design.h"
 #include "app/style/colours.h"
 #include "core/energy/distortion.h"
-#include "core/mesh/cell_shape.h"
 
 namespace wend {
 
@@ -43,9 +40,6 @@ QRgb between(const Stops& stops, double position) {
 /// the energy slider.
 enum class Scale { Even, Logarithm, Ratio, Times, Energies };
 
-template <int Dim>
-using CellValue = double (*)(const PosedFrame<Dim>&, const Points<Dim>& velocity, int cell);
-
 /// The properties of a measure.
 struct MeasureRow {
     Measure measure;
@@ -54,77 +48,44 @@ struct MeasureRow {
     double minimum;  // that the range spans
     const char *before, *after;
     std::vector<double> Distortion::*ranks;  // the values that rank cells; none: length
-    CellValue<2> ofTriangle;
-    CellValue<3> ofTetrahedron;
     const char* name;
     const char* worst = nullptr;      // text of the worst value; none: that of length
     const char* solidName = nullptr;  // none: as in the plane
     const char* solidWorst = nullptr;
 };
 
-template <int Dim>
-double stretch(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion->metric[cell];
-}
-template <int Dim>
-double ratio(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion->ratio[cell];
-}
-template <int Dim>
-double angle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return frame.distortion->angle[cell];
-}
-
-template <int Dim>
-CellShape shapeOf(const PosedFrame<Dim>& frame, int cell) {
-    return cellShape<Dim>(frame.pose, frame.rest->cells[cell]);
-}
-template <int Dim>
-double scaledJacobian(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return shapeOf(frame, cell).scaledJacobian;
-}
-template <int Dim>
-double aspectRatio(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return shapeOf(frame, cell).aspectRatio;
-}
-template <int Dim>
-double smallestAngle(const PosedFrame<Dim>& frame, const Points<Dim>&, int cell) {
-    return 180 / std::numbers::pi * shapeOf(frame, cell).minAngle;
-}
-
 constexpr double kNothing = 1e-9;          // below: distances and speeds count as zero
 constexpr double kLeastDistortion = 1e-6;  // of distortions: less is none
 
 /// The measures in the order of the list.
 const MeasureRow kMeasures[] = {
-    // measure, flat, scale, least, before, after, ranks, of a cell, words
-    MeasureRow{Measure::Length, true, Scale::Even, 0.01, "", "", &Distortion::metric, stretch<2>, stretch<3>,
+    // measure, flat, scale, least, before, after, ranks, words
+    MeasureRow{Measure::Length, true, Scale::Even, 0.01, "", "", &Distortion::metric,
                QT_TRANSLATE_NOOP("Measure", "Stretch"), QT_TRANSLATE_NOOP("Measure", "stretch %1")},
-    MeasureRow{Measure::Area, true, Scale::Ratio, 0.02, "×", "", &Distortion::ratio, ratio<2>, ratio<3>,
+    MeasureRow{Measure::Area, true, Scale::Ratio, 0.02, "×", "", &Distortion::ratio,
                QT_TRANSLATE_NOOP("Measure", "Area"), QT_TRANSLATE_NOOP("Measure", "area ×%1"),
                QT_TRANSLATE_NOOP("Measure", "Volume"), QT_TRANSLATE_NOOP("Measure", "volume ×%1")},
-    MeasureRow{Measure::Angle, true, Scale::Even, 0.01, "", "", &Distortion::angle, angle<2>, angle<3>,
+    MeasureRow{Measure::Angle, true, Scale::Even, 0.01, "", "", &Distortion::angle,
                QT_TRANSLATE_NOOP("Measure", "Angle"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
-    MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle, shearAt<2>, shearAt<3>,
+    MeasureRow{Measure::Shear, true, Scale::Even, 1, "", "°", &Distortion::angle,
                QT_TRANSLATE_NOOP("Measure", "Shear"), QT_TRANSLATE_NOOP("Measure", "angle error %1")},
-    MeasureRow{Measure::Way, true, Scale::Even, kNothing, "", "", nullptr, wayAt<2>, wayAt<3>,
+    MeasureRow{Measure::Way, true, Scale::Even, kNothing, "", "", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Distance from rest")},
-    MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, phiAt<2>, phiAt<3>,
-               QT_TRANSLATE_NOOP("Measure", "Keep")},
-    MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr, stiffnessAt<2>, stiffnessAt<3>,
+    MeasureRow{Measure::Phi, true, Scale::Energies, 0, "", "", nullptr, QT_TRANSLATE_NOOP("Measure", "Keep")},
+    MeasureRow{Measure::Stiffness, true, Scale::Times, 100, "×", "", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Stiffness")},
-    MeasureRow{Measure::Speed, true, Scale::Even, kNothing, "", "", nullptr, speedAt<2>, speedAt<3>,
+    MeasureRow{Measure::Speed, true, Scale::Even, kNothing, "", "", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Speed")},
-    MeasureRow{Measure::Influence, true, Scale::Even, 100, "", " %", nullptr, influenceOn<2>, influenceOn<3>,
+    MeasureRow{Measure::Influence, true, Scale::Even, 100, "", " %", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Influence of the pin")},
-    MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr, sizeAt<2>, sizeAt<3>,
+    MeasureRow{Measure::CellSize, false, Scale::Logarithm, 1.01, "", "", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Cell size")},
-    MeasureRow{Measure::ScaledJacobian, true, Scale::Even, kNothing, "", "", nullptr, scaledJacobian<2>,
-               scaledJacobian<3>, QT_TRANSLATE_NOOP("Measure", "Scaled Jacobian")},
-    MeasureRow{Measure::AspectRatio, true, Scale::Even, 1.01, "", "", nullptr, aspectRatio<2>, aspectRatio<3>,
+    MeasureRow{Measure::ScaledJacobian, true, Scale::Even, kNothing, "", "", nullptr,
+               QT_TRANSLATE_NOOP("Measure", "Scaled Jacobian")},
+    MeasureRow{Measure::AspectRatio, true, Scale::Even, 1.01, "", "", nullptr,
                QT_TRANSLATE_NOOP("Measure", "Aspect ratio")},
-    MeasureRow{Measure::SmallestAngle, true, Scale::Even, 1, "", "°", nullptr, smallestAngle<2>,
-               smallestAngle<3>, QT_TRANSLATE_NOOP("Measure", "Smallest angle"), nullptr,
+    MeasureRow{Measure::SmallestAngle, true, Scale::Even, 1, "", "°", nullptr,
+               QT_TRANSLATE_NOOP("Measure", "Smallest angle"), nullptr,
                QT_TRANSLATE_NOOP("Measure", "Smallest dihedral angle")},
 };
 
@@ -150,13 +111,10 @@ ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows) {
     return arrows || (map && measure == Measure::Speed) ? Kind::Velocity : Kind::None;
 }
 
-template <int Dim>
-Points<Dim> fieldOf(const ShapeSession& session, Measure measure) {
-    if (measure == Measure::Speed) return session.velocity<Dim>();
-    return measure == Measure::Influence ? session.influence<Dim>() : Points<Dim>(Dim, 0);
+Eigen::MatrixXd fieldOf(const ShapeSession& session, Measure measure) {
+    if (measure == Measure::Speed) return session.velocity();
+    return measure == Measure::Influence ? session.influence() : Eigen::MatrixXd();
 }
-template Points<2> fieldOf<2>(const ShapeSession&, Measure);
-template Points<3> fieldOf<3>(const ShapeSession&, Measure);
 
 bool isDistortion(Measure measure) {
     return rowOf(measure).ranks;
@@ -169,35 +127,9 @@ std::vector<Measure> measuresOf(int dimension) {
     return all;
 }
 
-template <int Dim>
-double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell) {
-    if constexpr (Dim == 2)
-        return rowOf(measure).ofTriangle(frame, velocity, cell);
-    else
-        return rowOf(measure).ofTetrahedron(frame, velocity, cell);
-}
-
-template <int Dim>
-std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure, const Points<Dim>& velocity) {
-    std::vector<double> values(frame.rest->cells.size());
-    for (std::size_t c = 0; c < values.size(); ++c)
-        values[c] = cellValue<Dim>(frame, velocity, measure, static_cast<int>(c));
-    return values;
-}
-
-namespace {
-
-template <int Dim>
-std::vector<double> valuesOfShown(const ShapeSession& session, Measure measure) {
-    return cellValues<Dim>(*session.frame<Dim>(), measure, fieldOf<Dim>(session, measure));
-}
-
-}  // namespace
-
 std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
     if (!session.frame()) return {};
-    return session.frame()->dimension == 2 ? valuesOfShown<2>(session, measure)
-                                           : valuesOfShown<3>(session, measure);
+    return cellValues(*session.frame(), measure, fieldOf(session, measure));
 }
 
 std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
@@ -248,8 +180,7 @@ std::vector<double> restValues(const ShapeSession& session, Measure measure) {
     const bool isQuality = measure == Measure::ScaledJacobian || measure == Measure::AspectRatio ||
                            measure == Measure::SmallestAngle;
     if (!isQuality || !session.frame()) return {};
-    if (session.frame()->dimension == 2) return cellValues<2>(*atRest<2>(session.frame<2>()), measure);
-    return cellValues<3>(*atRest<3>(session.frame<3>()), measure);
+    return cellValues(*atRest(session.frame()), measure);
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {
@@ -308,11 +239,6 @@ QString measureText(Measure measure, double value) {
                                    : QLocale().toString(value, plain ? 'g' : 'f', 2);
     return QString::fromUtf8(row.before) + number + QString::fromUtf8(row.after);
 }
-
-template double cellValue<2>(const PosedFrame<2>&, const Points<2>&, Measure, int);
-template double cellValue<3>(const PosedFrame<3>&, const Points<3>&, Measure, int);
-template std::vector<double> cellValues<2>(const PosedFrame<2>&, Measure, const Points<2>&);
-template std::vector<double> cellValues<3>(const PosedFrame<3>&, Measure, const Points<3>&);
 
 namespace {
 

@@ -30,18 +30,9 @@ struct MeasureRange {
 };
 
 /// Returns the session's field that a measure needs: velocity, influence or none.
-template <int Dim>
-Points<Dim> fieldOf(const ShapeSession& session, Measure measure);
+Eigen::MatrixXd fieldOf(const ShapeSession& session, Measure measure);
 /// Returns the field to solve for: that of the map if one is shown, otherwise that of arrows.
 ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
-/// Returns the value of one cell: the errors of docs/method.md for angle and length, the ratio det F for
-/// area. Without a field (no columns) there is no speed and no influence.
-template <int Dim>
-double cellValue(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, Measure measure, int cell);
-/// Returns the values of all cells.
-template <int Dim>
-std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure,
-                               const Points<Dim>& velocity = {});
 /// Returns the values of the shown frame.
 std::vector<double> shownValues(const ShapeSession& session, Measure measure);
 /// The value of the material where nothing is painted; nothing for other measures.

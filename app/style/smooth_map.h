@@ -8,12 +8,10 @@ namespace wend {
 bool isPainted(Measure measure);
 /// Returns colours of paint at the vertices, blended between cells: premultiplied red, green, blue and alpha
 /// from 0 to 255. (Blending colours avoids the third colour that blending positions would show.)
-template <int Dim>
-std::vector<Eigen::Array4d> softColours(const SimplicialMesh<Dim>& rest, const std::vector<QRgb>& ofCells);
+std::vector<Eigen::Array4d> softColours(const ShapeFrame& frame, const std::vector<QRgb>& ofCells);
 
 /// Returns the cells at sharp edges: where only two values meet at a corner, since soft edges have many.
-template <int Dim>
-std::vector<bool> sharpCells(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells);
+std::vector<bool> sharpCells(const ShapeFrame& frame, const std::vector<double>& ofCells);
 
 /// Returns the opacity of paint over a picture for an opacity of maps.
 double paintOpacity(double mapOpacity);
@@ -21,9 +19,8 @@ double paintOpacity(double mapOpacity);
 /// A map without cell borders: values are averaged at the vertices (vertexMeans), interpolated as positions
 /// in the range, and coloured per place.
 /// Returns the positions of the vertices, in [0, 1].
-template <int Dim>
-std::vector<double> smoothPlaces(const SimplicialMesh<Dim>& rest, const std::vector<double>& ofCells,
-                                 Measure measure, const MeasureRange& range);
+std::vector<double> smoothPlaces(const ShapeFrame& frame, const std::vector<double>& ofCells, Measure measure,
+                                 const MeasureRange& range);
 /// The colours of the places, in even steps from 0 to 1.
 std::vector<QRgb> colourRamp(Measure measure);
 

@@ -1,37 +1,24 @@
 #pragma once
 
+#include <vector>
+
+#include "app/engine/measure.h"
 #include "app/engine/motion/frame.h"
 #include "app/engine/motion/frame_track.h"
 
 namespace wend {
 
-/// Return values of one cell. Only speedAt() and influenceOn() use the field; the others take it so that all
-/// fit in one table. phiAt() returns φ, and the stiffness relative to an isotropic cell is the largest
-/// eigenvalue of B₀.
-template <int Dim>
-double phiAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-template <int Dim>
-double stiffnessAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-/// Returns the largest change of a right angle in degrees: 0 for similarities, near 90 for degenerate cells.
-template <int Dim>
-double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-/// Returns the distance of the cell's centroid from its rest position.
-template <int Dim>
-double wayAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-/// Returns the motion of the cell in percent of the motion of the selected handles. The field is their
-/// influence here (ShapeSession::influence).
-template <int Dim>
-double influenceOn(const PosedFrame<Dim>& frame, const Points<Dim>& influence, int cell);
-/// Returns the edge length of a regular cell of the same rest area or volume.
-template <int Dim>
-double sizeAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
-/// Returns the length of the velocity in the middle of a cell.
-template <int Dim>
-double speedAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
+/// Return the value of a measure in one cell or in all: the errors of docs/method.md for angle and length,
+/// the ratio det F for area, the largest eigenvalue of B₀ for stiffness (1 where the cell is isotropic), the
+/// edge length of a regular cell of the same rest area or volume for cell size, degrees for shear and the
+/// smallest angle. `field` has a column per vertex: velocities for Speed; for Influence the influence of the
+/// selected handles (ShapeMotion::influence), in percent of whose motion the value is. Without columns both
+/// are 0.
+double cellValue(const ShapeFrame& frame, Measure measure, int cell, const Eigen::MatrixXd& field = {});
+std::vector<double> cellValues(const ShapeFrame& frame, Measure measure, const Eigen::MatrixXd& field = {});
 
-/// Returns approximate vertex velocities at the frame's time: the finite difference of its neighbours in the
-/// track. Zero where nothing moves.
-template <int Dim>
-Points<Dim> velocityBetween(const FrameTrack& track, const PosedFrame<Dim>& frame);
+/// Returns approximate vertex velocities at the frame's time, a column each: the finite difference of its
+/// neighbours in the track. Zero where nothing moves.
+Eigen::MatrixXd velocityBetween(const FrameTrack& track, const ShapeFrame& frame);
 
 }  // namespace wend

@@ -103,4 +103,27 @@ std::vector<int> PosedFrame<Dim>::verticesInside(const Region<3>& region) const 
 template struct PosedFrame<2>;
 template struct PosedFrame<3>;
 
+namespace {
+
+/// Returns a copy of the frame, changed by a function.
+template <class Change>
+FramePtr changedCopy(const FramePtr& frame, const Change& change) {
+    const auto copy = [&](const auto& own) -> FramePtr {
+        auto other = std::make_shared<std::decay_t<decltype(own)>>(own);
+        change(*other);
+        return other;
+    };
+    return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
+}
+
+}  // namespace
+
+FramePtr atTime(const FramePtr& frame, double time) {
+    return changedCopy(frame, [time](auto& other) { other.time = time; });
+}
+
+FramePtr atRest(const FramePtr& frame) {
+    return changedCopy(frame, [](auto& other) { other.pose = other.rest->points; });
+}
+
 }  // namespace wend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,6 +43,8 @@ struct ShapeFrame {
     virtual Vec3 vertex(int v) const = 0;
     virtual Vec3 restVertex(int v) const = 0;
     virtual std::span<const int> corners(int cell) const = 0;
+    /// Returns the area or volume of a cell at rest.
+    virtual double restMeasure(int cell) const = 0;
     /// Returns whether an embedded surface is shown instead of the mesh's vertices.
     virtual bool hidesVertices() const = 0;
     /// Returns the parts of a picture's mesh from back to front; none if it has one without a name.
@@ -90,9 +93,13 @@ struct PosedFrame : ShapeFrame {
     std::shared_ptr<const Material<Dim>> material;
     Points<Dim> pose;
 
+    PosedFrame() { dimension = Dim; }
     Vec3 vertex(int v) const override { return inSpace(Vec<Dim>(pose.col(v))); }
     Vec3 restVertex(int v) const override { return inSpace(Vec<Dim>(rest->points.col(v))); }
     std::span<const int> corners(int cell) const override { return rest->cells[cell]; }
+    double restMeasure(int cell) const override {
+        return std::abs(cellMeasure<Dim>(rest->points, rest->cells[cell]));
+    }
     bool hidesVertices() const override;
     const std::vector<MeshPart>& parts() const override { return rest->parts; }
     std::optional<Place> find(const Vec3& p) const override;
@@ -131,13 +138,8 @@ PosedPtr<Dim> posed(const FramePtr& frame) {
 }
 
 /// The same shape, standing for another time.
-inline FramePtr atTime(const FramePtr& frame, double time) {
-    const auto copy = [time](const auto& own) -> FramePtr {
-        auto other = std::make_shared<std::decay_t<decltype(own)>>(own);
-        other->time = time;
-        return other;
-    };
-    return frame->dimension == 2 ? copy(*posed<2>(frame)) : copy(*posed<3>(frame));
-}
+FramePtr atTime(const FramePtr& frame, double time);
+/// The same shape before it was bent.
+FramePtr atRest(const FramePtr& frame);
 
 }  // namespace wend

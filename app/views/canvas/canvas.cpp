@@ -193,7 +193,8 @@ std::shared_ptr<const ScreenPicture> ShapeCanvas::pictureOf(const PosedPtr<2>& f
 }
 
 PosedPtr<2> ShapeCanvas::drawnFrame() const {
-    const auto frame = seen<2>(m_viewport.looks(), posed<2>(shownFrame()));
+    const PosedPtr<2> own = posed<2>(shownFrame());  // a picture itself is seen before its mesh is there
+    const PosedPtr<2> frame = own ? posed<2>(seen(m_viewport.looks(), own)) : nullptr;
     return frame ? frame : m_unbent;
 }
 
@@ -277,7 +278,7 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.opacity = looks.colours.opacity;
     request.smooth = looks.colours.smooth;
     if (request.map) request.plain = plainValue(m_session, request.measure);
-    if (request.map) request.velocity = fieldOf<2>(m_session, request.measure);
+    if (request.map) request.velocity = fieldOf(m_session, request.measure);
     const Theme theme = Theme::of(palette());
     request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.ground = !m_picture                 ? theme.workspace
@@ -452,7 +453,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
         paintFaults(painter, *this, *frame, *m_faults);
     if (looks.marks || (looks.map && measure == Measure::Stiffness))
         paintStiffnessMarks(painter, *this, size());
-    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.velocity<2>(), size());
+    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.velocity(), size());
     m_layer.setLayer(looks.layer);
     m_layer.paint(painter, *this);
     m_detailRegions.paint(painter, *this);

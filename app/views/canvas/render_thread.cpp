@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/engine/motion/fields.h"
 #include "app/style/smooth_map.h"
 #include "app/views/canvas/cell_filler.h"
 #include "warp/coverage.h"
@@ -66,15 +67,15 @@ int alphaAt(const RenderRequest& request, double position) {
 
 /// Fills paint with soft edges: corners have the mean colour of their cells, except at sharp edges.
 template <class ColourOf>
-void fillPaint(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vector<int>& order,
+void fillPaint(CellFiller& filler, const PosedFrame<2>& frame, const std::vector<int>& order,
                const std::vector<double>& values, const ColourOf& colourOf) {
     std::vector<QRgb> ofCells;
-    for (std::size_t c = 0; c < rest.cells.size(); ++c) ofCells.push_back(colourOf(c));
-    const auto means = softColours<2>(rest, ofCells);
-    const auto sharp = sharpCells<2>(rest, values);
+    for (std::size_t c = 0; c < frame.rest->cells.size(); ++c) ofCells.push_back(colourOf(c));
+    const auto means = softColours(frame, ofCells);
+    const auto sharp = sharpCells(frame, values);
     for (const int index : order) {
         const auto c = static_cast<std::size_t>(index);
-        const Cell<2>& cell = rest.cells[c];
+        const Cell<2>& cell = frame.rest->cells[c];
         if (sharp[c])
             filler.fill(cell, ofCells[c]);
         else
@@ -85,14 +86,14 @@ void fillPaint(CellFiller& filler, const SimplicialMesh<2>& rest, const std::vec
 /// Fills without cell borders.
 void fillSmoothly(CellFiller& filler, const RenderRequest& request, const std::vector<int>& order,
                   const std::vector<double>& ofCells) {
-    const SimplicialMesh<2>& rest = *request.frame->rest;
-    const auto places = smoothPlaces<2>(rest, ofCells, request.measure, request.range);
+    const PosedFrame<2>& frame = *request.frame;
+    const auto places = smoothPlaces(frame, ofCells, request.measure, request.range);
     const int alpha = request.picture ? static_cast<int>(std::lround(255 * request.opacity)) : 255;
     std::vector<QRgb> ramp = colourRamp(request.measure);
     for (QRgb& colour : ramp)
         colour = qPremultiply(qRgba(qRed(colour), qGreen(colour), qBlue(colour), alpha));
     for (const int index : order) {
-        const Cell<2>& cell = rest.cells[static_cast<std::size_t>(index)];
+        const Cell<2>& cell = frame.rest->cells[static_cast<std::size_t>(index)];
         filler.fill(cell, std::array{places[cell[0]], places[cell[1]], places[cell[2]]}, ramp);
     }
 }
@@ -111,7 +112,7 @@ void takeColours(QImage& image) {
 void fillCells(QImage& image, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
     const auto values =
-        request.map ? cellValues<2>(frame, request.measure, request.velocity) : std::vector<double>();
+        request.map ? cellValues(frame, request.measure, request.velocity) : std::vector<double>();
     const auto colourOf = [&](std::size_t c) {
         const double position = positionIn(request.range, request.measure, values[c]);
         const QRgb colour = colourAt(request.measure, position);
@@ -123,7 +124,7 @@ void fillCells(QImage& image, const RenderRequest& request) {
                                        : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     CellFiller filler(image.size(), *plan, frame.pose, toPixels(request));
     if (request.map && isPainted(request.measure)) {
-        fillPaint(filler, *frame.rest, plan->order, values, colourOf);
+        fillPaint(filler, frame, plan->order, values, colourOf);
     } else if (request.map && request.smooth) {
         fillSmoothly(filler, request, plan->order, values);
     } else {

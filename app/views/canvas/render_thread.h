@@ -42,7 +42,7 @@ struct RenderRequest {
     MeasureRange range;
     bool smooth = false;           // the map, without the edges of its cells
     double opacity = kMapOpacity;  // of the map over a picture
-    Points<2> velocity;            // of the vertices, for the map of their speed; or none
+    Eigen::MatrixXd velocity;      // of the vertices, for the map of their speed; or none
     std::optional<double> plain;   // of the map: where it has this value the picture is not coloured
     QColor fill, line;             // of the mesh and, without a picture, of the shape
     QColor lightLine = QColor(236, 238, 244);  // mesh lines over dark places …

@@ -3,7 +3,7 @@
 #include <QColor>
 #include <tuple>
 
-#include "app/engine/motion/rest_frame.h"
+#include "app/engine/motion/frame.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/group_list.h"
 #include "app/project/id.h"
@@ -40,11 +40,9 @@ struct Looks {
 };
 
 /// Returns the frame that is shown instead of the session's own, if any.
-template <int Dim>
-PosedPtr<Dim> seen(const Looks& looks, const PosedPtr<Dim>& own) {
-    const bool standsIn = looks.standIn && (own || Dim == 3);  // a picture is itself seen before its mesh is
-    const auto frame = standsIn ? posed<Dim>(looks.standIn) : own;
-    return frame && looks.rest ? atRest<Dim>(frame) : frame;
+inline FramePtr seen(const Looks& looks, const FramePtr& own) {
+    const FramePtr& frame = looks.standIn ? looks.standIn : own;
+    return frame && looks.rest ? atRest(frame) : frame;
 }
 
 }  // namespace wend

@@ -177,7 +177,7 @@ bool SolidCanvas::meetsNewDocument() {
 /// Fits the view to a new solid: first at rest, then again when its motion is known.
 void SolidCanvas::refresh() {
     const Looks& looks = m_viewport.looks();
-    const auto frame = seen<3>(looks, posed<3>(shownFrame()));
+    const auto frame = posed<3>(seen(looks, shownFrame()));
     m_missed = m_held;
     m_viewport.showLegendLock();
     if (!frame) setGlyphs({});  // those of the last solid

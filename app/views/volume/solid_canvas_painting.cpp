@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "app/engine/motion/fields.h"
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/shape.h"
 #include "app/style/smooth_map.h"
@@ -50,10 +51,10 @@ QRgb withAlpha(QRgb colour, double alpha) {
 }
 
 /// Returns cell colours, not premultiplied, so that edges stay sharp.
-SolidPaint paintOf(const SimplicialMesh<3>& rest, const std::vector<QRgb>& ofCells,
+SolidPaint paintOf(const ShapeFrame& frame, const std::vector<QRgb>& ofCells,
                    const std::vector<bool>& sharp) {
     SolidPaint paint;
-    const auto means = softColours<3>(rest, ofCells);
+    const auto means = softColours(frame, ofCells);
     paint.colours = paint.opacities = Points<3>::Zero(3, static_cast<Eigen::Index>(means.size()));
     for (std::size_t v = 0; v < means.size(); ++v) {
         paint.colours.col(static_cast<Eigen::Index>(v)) = means[v].head<3>() / 255;
@@ -162,7 +163,7 @@ void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) c
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     const auto plain = plainValue(m_session, measure);
     const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
-    const auto values = cellValues<3>(frame, measure, {});
+    const auto values = cellValues(frame, measure);
     std::vector<QRgb> colours;
     for (const double value : values) {
         const double place = positionIn(range, measure, value);
@@ -170,7 +171,7 @@ void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) c
         colours.push_back(withAlpha(m_viewport.isDimmed() ? dimmed(colour) : colour,
                                     plain ? paintedPart(place, plainPlace) : 1));
     }
-    picture.paint = paintOf(*frame.rest, colours, sharpCells<3>(*frame.rest, values));
+    picture.paint = paintOf(frame, colours, sharpCells(frame, values));
     const bool isColoured = picture.materials && hasOwnColours(*picture.skin);
     picture.paint.opacity = isColoured ? paintOpacity(opacity) : 1;
 }
@@ -179,14 +180,14 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     if (isPainted(measure)) return addPaint(picture, frame);
     const auto own = [&](QRgb map) { return m_viewport.isDimmed() ? dimmed(map) : map; };
-    const auto values = cellValues<3>(frame, measure, fieldOf<3>(m_session, measure));
+    const auto values = cellValues(frame, measure, fieldOf(m_session, measure));
     picture.section.reset();
     picture.materials = picture.materials && hasOwnColours(*picture.skin);
     picture.cellColours.clear();
     for (const double value : values)
         picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
     if (!smooth) return;
-    const auto places = smoothPlaces<3>(*frame.rest, values, measure, range);
+    const auto places = smoothPlaces(frame, values, measure, range);
     picture.places = Points<3>::Zero(3, frame.pose.cols());
     picture.places.row(0) =
         Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
@@ -198,8 +199,8 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
     if (looks.arrows && !looks.hidden)
-        triangles = velocityArrows(frame, m_session.velocity<3>(), surface(),
-                                   isOnDark() ? kArrowOnDark : kArrowColour);
+        triangles =
+            velocityArrows(frame, m_session.velocity(), surface(), isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());

@@ -257,13 +257,13 @@ void TestComparison::showInfluence() {
     m_f->session().selection().set({1});
     for (ShapeSession* session : {&m_f->session(), &other()}) {
         session->setFieldWanted(ShapeSession::FieldKind::Influence);
-        QTRY_VERIFY(session->influence<Dim>().cols() > 0);
-        const double least = session->influence<Dim>().row(0).minCoeff(),
-                     most = session->influence<Dim>().row(0).maxCoeff();
+        QTRY_VERIFY(session->influence().cols() > 0);
+        const double least = session->influence().row(0).minCoeff(),
+                     most = session->influence().row(0).maxCoeff();
         QVERIFY2(least < 0.1 && most > 0.9, qPrintable(QString("%1 %2").arg(least).arg(most)));
     }
     m_f->session().selection().clear();
-    QCOMPARE(other().influence<Dim>().cols(), 0);
+    QCOMPARE(other().influence().cols(), 0);
 }
 
 void TestComparison::influenceIsThatOfTheSamePin() {

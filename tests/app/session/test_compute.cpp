@@ -714,7 +714,7 @@ QString TestCompute::whatIsLeft(const FramePtr& last) const {
     if (m_session->isDragging()) return QStringLiteral("the drag");
     if (!m_session->selection().isEmpty()) return QStringLiteral("the selection");
     if (!m_session->pins().empty()) return QStringLiteral("pins");
-    if (!m_session->frame() && m_session->velocity<Dim>().cols() > 0) return QStringLiteral("the velocity");
+    if (!m_session->frame() && m_session->velocity().cols() > 0) return QStringLiteral("the velocity");
     return {};
 }
 

@@ -789,7 +789,7 @@ namespace {
 /// In percent, of the vertices of the frame that is shown: the least, the largest, and at a handle.
 template <int Dim>
 std::array<double, 3> influence(ShapeSession& session, int handle) {
-    const Points<Dim> field = session.influence<Dim>();
+    const Eigen::MatrixXd field = session.influence();
     if (field.cols() == 0) return {-1, -1, -1};
     const Points<Dim>& pose = session.frame<Dim>()->pose;
     Eigen::Index nearest = 0;

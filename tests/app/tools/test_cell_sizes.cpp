@@ -76,7 +76,7 @@ void TestCellSizes::brushTheRightEnd(Qt::KeyboardModifiers modifiers) {
 /// Of the cells in the right or the left quarter of the bar, near the front.
 double TestCellSizes::meanSize(bool right) {
     const auto frame = m_f->session().frame<3>();
-    const auto sizes = cellValues<3>(*frame, Measure::CellSize);
+    const auto sizes = cellValues(*frame, Measure::CellSize);
     double sum = 0;
     int count = 0;
     for (std::size_t c = 0; c < sizes.size(); ++c) {
@@ -115,7 +115,7 @@ void TestCellSizes::sizeOfRegularCells() {
     rest->cells = {{0, 1, 2, 3}};
     PosedFrame<3> frame;
     frame.rest = rest;
-    QVERIFY(std::abs(sizeAt<3>(frame, {}, 0) - 2 * std::sqrt(2.0)) < 1e-12);
+    QVERIFY(std::abs(cellValue(frame, Measure::CellSize, 0) - 2 * std::sqrt(2.0)) < 1e-12);
 }
 
 void TestCellSizes::strokesMakeCellsFiner() {

@@ -7,6 +7,7 @@
 #include <QPolygonF>
 #include <cmath>
 
+#include "app/engine/motion/fields.h"
 #include "app/engine/motion/pose_places.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/frame_export.h"
@@ -493,7 +494,7 @@ void TestDepth::anotherMeshHasItsOwnOrder() {
 /// Where two cells with colours that are far apart lie over each other, that of the upper one is seen.
 void TestDepth::mapsShowWhatLiesInFront() {
     const auto frame = m_session.frame<2>();
-    const std::vector<double> values = cellValues<2>(*frame, Measure::Angle);
+    const std::vector<double> values = cellValues(*frame, Measure::Angle);
     const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};
     const auto colourOf = [&](int cell) {
         return QColor(colourAt(Measure::Angle, positionIn(range, Measure::Angle, values[cell])));

@@ -290,7 +290,7 @@ void TestSpaceAreas::velocityIsTheFieldItself() {
         session.playback().setTime(time);
         QVERIFY(QTest::qWaitFor([&] { return session.hasVelocity(); }, 20000));
         const auto frame = session.frame<3>();
-        const Points<3> v = session.velocity<3>();
+        const Points<3> v = session.velocity();
         const Trajectory<3> way(m_f->handles()[1].motions.front());
         const auto moving = way.at(frame->time, Side::Before);
         for (const int i : session.verticesOf(1))

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/engine/motion/fields.h"
 #include "app/panels/legend.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"

@@ -412,7 +412,7 @@ void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
     };
     QCOMPARE(least(), 0.0);
     common.showArrows->setChecked(true);
-    QVERIFY(QTest::qWaitFor([&] { return session().velocity<3>().cols() > 0; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().velocity().cols() > 0; }, 20000));
     for (QAction* look : {common.darkLook, common.lightLook})
         for (const char* name : {"Black", "White", "Checks"}) {
             look->trigger();
