@@ -226,29 +226,30 @@ QImage SolidWorkshop::smallView(const QSize& size) {
 void SolidWorkshop::showCut() {
     if (!m_canvas) return;
     const QSignalBlocker quiet(m_actions.cut);
-    m_actions.cut->setChecked(m_canvas->cut() != CutKind::None);
+    m_actions.cut->setChecked(m_canvas->solid().cut() != CutKind::None);
     CutPanel& cut = m_around.properties.cut();
     const auto frame = m_around.session.frame<3>();
     if (!frame) {
         cut.showNothing();
         return;
     }
-    cut.show(static_cast<int>(m_canvas->cut()), m_canvas->cutTool().plane(), frame->pose.rowwise().minCoeff(),
-             frame->pose.rowwise().maxCoeff());
+    cut.show(static_cast<int>(m_canvas->solid().cut()), m_canvas->cutTool().plane(),
+             frame->pose.rowwise().minCoeff(), frame->pose.rowwise().maxCoeff());
 }
 
 void SolidWorkshop::holdBeyondCut() {
     const auto frame = m_around.session.frame<3>();
-    if (!frame || !m_canvas || m_canvas->cut() == CutKind::None) return;
+    if (!frame || !m_canvas || m_canvas->solid().cut() == CutKind::None) return;
     if (frame->pose == frame->rest->points) {  // at rest it can be a region
-        const Region<3> half = HalfSpace<3>{m_canvas->plane().point, m_canvas->plane().normal};
+        const Region<3> half =
+            HalfSpace<3>{m_canvas->solid().plane().point, m_canvas->solid().plane().normal};
         if (!verticesInside<3>(half, *frame->rest).empty())
             m_around.session.addHandle(half, tr("Region").toStdString());
         return;
     }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
-        if (m_canvas->plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
+        if (m_canvas->solid().plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
     ShapeSession& session = m_around.session;
     if (!beyond.empty()) session.addHandle(session.placementOf(beyond), tr("Area").toStdString());
 }

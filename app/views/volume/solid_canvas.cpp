@@ -115,7 +115,7 @@ void SolidCanvas::showLooks() {
 
 /// Repainting composes the whole window, which is slow without a GPU.
 void SolidCanvas::redraw() {
-    m_viewport.redraw(drawsInSoftware() ? kMarksEveryInSoftware : kMarksEvery);
+    m_viewport.redraw(solid().isSoftware() ? kMarksEveryInSoftware : kMarksEvery);
 }
 
 /// Cancels gestures with cells and vertices of an old mesh.
@@ -259,8 +259,8 @@ void SolidCanvas::lookAlong(const Vec<3>& direction) {
 void SolidCanvas::takeView(const SolidCanvas& other) {
     m_fitted = other.m_fitted;
     camera() = other.camera();
-    m_cutTool.setPlane(other.plane());
-    setCut(other.cut(), other.plane());
+    m_cutTool.setPlane(other.solid().plane());
+    setCut(other.solid().cut(), other.solid().plane());
     update();
     redraw();
 }
@@ -300,7 +300,6 @@ void SolidCanvas::takeKeptCamera() {
     camera().restore(*kept);
     m_asOpened = camera().saved();
     m_fitted = false;
-    update();
     emit cameraChanged();
 }
 
@@ -351,11 +350,11 @@ Vec<3> SolidCanvas::normalToViewer() const {
 }
 
 void SolidCanvas::setCutKind(CutKind kind) {
-    if (kind == cut() || (kind != CutKind::None && !m_session.frame<3>())) {
+    if (kind == solid().cut() || (kind != CutKind::None && !m_session.frame<3>())) {
         emit cutChanged();
         return;
     }
-    if (cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
+    if (solid().cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
     m_cutTool.setActive(kind != CutKind::None);
     setCut(kind, m_cutTool.plane());
     refresh();
@@ -365,7 +364,7 @@ void SolidCanvas::setCutKind(CutKind kind) {
 void SolidCanvas::setCutPlane(const CutPlane& plane) {
     m_planeChosen = true;
     m_cutTool.setPlane(plane);
-    setCut(cut(), plane);
+    setCut(solid().cut(), plane);
     refresh();
     emit cutChanged();
 }

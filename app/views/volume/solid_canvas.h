@@ -38,9 +38,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
                                    bool visibleOnly) const override;
     bool isHidden(const Vec3& p) const;
     bool isHidden(const Place&, const Vec3& p) const override { return isHidden(p); }
-    bool isCutOff(const Vec<3>& p) const override {
-        return cut() != CutKind::None && plane().height(p) > 1e-9;
-    }
+    bool isCutOff(const Vec<3>& p) const override { return solid().isCutOff(p); }
     std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;

@@ -137,7 +137,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
     const auto frame = m_session.frame<3>();
     const Looks& looks = m_viewport.looks();
     const Measure measure = looks.colours.measure;
-    if (shown().pose.cols() == 0) return;
+    if (solid().picture().pose.cols() == 0) return;
     painter.save();
     paintCompass(painter, QPointF(46, height() - 46), camera().view().topLeftCorner<3, 3>());
     painter.restore();
@@ -199,10 +199,10 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
     if (looks.arrows && !looks.hidden)
-        triangles =
-            velocityArrows(frame, m_session.velocity(), surface(), isOnDark() ? kArrowOnDark : kArrowColour);
+        triangles = velocityArrows(frame, m_session.velocity(), solid().surface(),
+                                   isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
-        ellipsoids = stiffnessEllipsoids(frame, surface(), kGlyphColour);
+        ellipsoids = stiffnessEllipsoids(frame, solid().surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
     }
     if (m_faults && m_viewport.showsMap() && !looks.rest && !looks.standIn) {
@@ -234,13 +234,11 @@ void SolidCanvas::showCell(int cell) {
                  is = (around.colwise() - centre).colwise().norm().maxCoeff();
     camera().fit(((around.colwise() - centre) * std::max(1.0, wanted / is)).colwise() + centre, size());
     m_fitted = false;
-    update();
     emit cameraChanged();
 }
 
 void SolidCanvas::showPlace(const Vec<3>& at) {
     camera().lookAt(at);
-    update();
     emit cameraChanged();
 }
 
@@ -257,23 +255,14 @@ QPointF SolidCanvas::onScreen(const Vec<3>& p) const {
 
 std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                             bool visibleOnly) const {
-    std::vector<int> found;
-    if (!showsFrame()) return found;
-    const Points<3>& pose = shown().pose;
-    for (Eigen::Index v = 0; v < pose.cols(); ++v) {
-        const Vec<3> screen = camera().project(pose.col(v), size());
-        if (std::abs(screen.z()) <= 1 && !isCutOff(pose.col(v)) && inside({screen.x(), screen.y()}))
-            found.push_back(static_cast<int>(v));
-    }
-    if (visibleOnly) keepVisible(found);
-    return found;
+    return showsFrame() ? VolumeView::verticesWhere(inside, visibleOnly) : std::vector<int>();
 }
 
 /// Returns whether the frame is shown, rather than a file's surface or an earlier mesh with other cells and
 /// vertices.
 bool SolidCanvas::showsFrame() const {
     const auto frame = m_session.frame<3>();
-    return frame && shown().rest == frame->rest;
+    return frame && solid().picture().rest == frame->rest;
 }
 
 SolidHit SolidCanvas::pick(const QPointF& widget) const {
@@ -298,7 +287,7 @@ void SolidCanvas::showMaterial(const FramePtr& painted, bool lasts) {
 /// Whole cells reach beyond the plane: points on the drawn surface are not cut off.
 bool SolidCanvas::isHidden(const Vec<3>& p) const {
     const Ray sight = ray(onScreen(p));
-    const SolidHit hit = hitOf(sight);
+    const SolidHit hit = solid().hit(sight);
     const double within = 2 * pixelSize(p);
     const double before = hit.cell < 0
                               ? -std::numeric_limits<double>::infinity()
@@ -309,29 +298,29 @@ bool SolidCanvas::isHidden(const Vec<3>& p) const {
 /// Asks through its middle and those of its sides.
 std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
     if (!showsFrame()) return {};
-    const Points<3>& pose = shown().pose;
-    const Cell<3>& corners = shown().rest->cells[cell];
+    const Points<3>& pose = solid().picture().pose;
+    const Cell<3>& corners = solid().picture().rest->cells[cell];
     Vec<3> sum = Vec<3>::Zero();
     for (const int v : corners) sum += pose.col(v);
     std::vector<Vec<3>> middles = {sum / 4};
     for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
     for (const Vec<3>& middle : middles) {
-        const SolidHit hit = hitOf(ray(onScreen(middle)));
+        const SolidHit hit = solid().hit(ray(onScreen(middle)));
         if (hit.cell == cell) return hit.point;
     }
     return {};
 }
 
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
-    const Points<3>& pose = shown().pose;
+    const Points<3>& pose = solid().picture().pose;
     // Without a frame of this mesh the picture is a preview.
-    const bool isSkin = showsSkin() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
+    const bool isSkin = solid().showsSkin() && static_cast<Eigen::Index>(skinPoints().size()) == pose.cols();
     const bool asks = vertices.size() <= kMostRays;
     std::vector<VertexMark> marks;
     for (const int v : vertices) {
         if (v >= pose.cols()) continue;
         const int point = isSkin ? skinPoints()[static_cast<std::size_t>(v)] : -1;
-        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(skinPose().col(point));
+        const Vec<3> at = point < 0 ? Vec<3>(pose.col(v)) : Vec<3>(solid().skinPose().col(point));
         if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden(pose.col(v))});
     }
     return marks;
@@ -339,7 +328,7 @@ std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) c
 
 /// Cached per skin.
 const std::vector<int>& SolidCanvas::skinPoints() const {
-    const VolumePicture& picture = shown();
+    const VolumePicture& picture = solid().picture();
     if (m_marked != picture.skin)
         m_skinPoints = nearestSkinPoints(*picture.skin, picture.rest->points, *picture.facets);
     m_marked = picture.skin;

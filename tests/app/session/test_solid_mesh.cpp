@@ -120,7 +120,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
                                 "v -1 -0.4 0.6\nv 1 -0.4 0.6\nv 1 0.4 0.6\nv -1 0.4 0.6\nf 1 2 3 4\n");
     const auto drawn = [this] {
         m_f->canvas().grabFramebuffer();
-        return m_f->canvas().drawnTriangles();
+        return m_f->canvas().solid().triangles();
     };
     const auto border = drawn();
     nameNextFile(this, plate);

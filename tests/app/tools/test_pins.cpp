@@ -592,7 +592,7 @@ void TestPins::glyphsAreAsLargeAsChosen() {
     auto material = std::make_shared<Material<3>>(*frame->material);
     material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<3>({Vec<3>::UnitX(), 4}));
     stiff.material = material;
-    const CutSurface& surface = m_f->canvas().surface();
+    const CutSurface& surface = m_f->canvas().solid().surface();
     Points<3> velocity = Points<3>::Zero(3, frame->pose.cols());
     velocity.row(2).setOnes();
     const auto height = [](const std::vector<DrawVertex>& drawn, std::size_t count) {

@@ -195,7 +195,7 @@ void TestSpaceTools::oneManipulatorIsShown() {
     m_f->session().selection().set({1});
     QCOMPARE(shown(), std::pair(false, true));
     m_f->actions().cut->trigger();
-    QTRY_VERIFY(canvas.cut() != CutKind::None);
+    QTRY_VERIFY(canvas.solid().cut() != CutKind::None);
     QCOMPARE(shown(), std::pair(false, true));
     tools.setMode(Mode::Mesh);
     m_f->window().actions().selectTool->trigger();
@@ -206,7 +206,7 @@ void TestSpaceTools::oneManipulatorIsShown() {
     m_f->session().selection().clear();
     QCOMPARE(shown(), std::pair(true, false));
     m_f->actions().cut->trigger();
-    QTRY_VERIFY(canvas.cut() == CutKind::None);
+    QTRY_VERIFY(canvas.solid().cut() == CutKind::None);
     QCOMPARE(shown(), std::pair(false, false));
 }
 

@@ -330,7 +330,7 @@ void TestExportPanel::solidIsPreviewedAsFilesGetIt() {
     m_f->window().actions().showMap->trigger();
     m_f->window().actions().showMarks->trigger();
     m_f->actions().cut->trigger();
-    QTRY_VERIFY(canvas.cut() != CutKind::None && canvas.isSettled());
+    QTRY_VERIFY(canvas.solid().cut() != CutKind::None && canvas.isSettled());
     QVERIFY(canvas.picture({300, 200}, true) != view);
     kind(QStringLiteral("Mesh"))->click();
     QCOMPARE(seen(), plain);

@@ -138,7 +138,7 @@ void TestSolidLooks::cutIsTakenBack() {
     solids().actions().cut->trigger();
     QVERIFY(canvas().grabFramebuffer() != whole);
     solids().actions().cut->trigger();
-    QCOMPARE(canvas().cut(), CutKind::None);
+    QCOMPARE(canvas().solid().cut(), CutKind::None);
     QVERIFY(canvas().grabFramebuffer() == whole);
 }
 
@@ -150,7 +150,7 @@ void TestSolidLooks::cutEndsWithItsDocument() {
     canvas().setCutPlane({Vec<3>::Zero(), Vec<3>::UnitX()});
     canvas().grabFramebuffer();
     open(project({}));
-    QCOMPARE(canvas().cut(), CutKind::None);
+    QCOMPARE(canvas().solid().cut(), CutKind::None);
     QVERIFY(!solids().actions().cut->isChecked());
     QVERIFY(canvas().grabFramebuffer() == whole);
 }
@@ -162,7 +162,7 @@ void TestSolidLooks::sectionBesideDetailIsFilled() {
     for (const bool map : {false, true})
         for (const double side : {1.0, -1.0}) {
             m_window->actions().showMap->setChecked(map);
-            if (canvas().cut() == CutKind::None) solids().actions().cut->trigger();
+            if (canvas().solid().cut() == CutKind::None) solids().actions().cut->trigger();
             canvas().setCutPlane({Vec<3>(0.0123, 0, 0), Vec<3>(side, 0.02, 0.01).normalized()});
             canvas().look(side > 0 ? Camera::Axis::Right : Camera::Axis::Left);
             canvas().camera().fit(Vec<3>(-0.7, -0.7, -0.7), Vec<3>(0.7, 0.7, 0.7));
@@ -196,9 +196,9 @@ void TestSolidLooks::firstCutTakesTheNearHalf() {
     open(project("inside.obj"));
     canvas().look(static_cast<Camera::Axis>(axis));
     solids().actions().cut->trigger();
-    QVERIFY(canvas().plane().normal.dot(canvas().viewDirection()) < -0.5);
+    QVERIFY(canvas().solid().plane().normal.dot(canvas().viewDirection()) < -0.5);
     const SolidHit hit = canvas().pick(canvas().toWidget(Vec<3>::Zero()));
-    QVERIFY(hit.cell >= 0 && std::abs(canvas().plane().height(hit.point)) < 1e-9);
+    QVERIFY(hit.cell >= 0 && std::abs(canvas().solid().plane().height(hit.point)) < 1e-9);
 }
 
 void TestSolidLooks::wrongTrianglesAreRedFromBehind() {

@@ -480,16 +480,19 @@ void TestSolidWindow::cutShowsTheInsideAndMoves() {
     m_f->actions().oblique->trigger();
     const QImage whole = m_f->canvas().grabFramebuffer();
     m_f->actions().cut->trigger();
-    QCOMPARE(m_f->canvas().cut(), CutKind::Exact);
+    QCOMPARE(m_f->canvas().solid().cut(), CutKind::Exact);
     const QImage exact = m_f->canvas().grabFramebuffer();
     QVERIFY(exact != whole);
     m_f->picture(QStringLiteral("cut"));
-    const Vec<3> before = m_f->canvas().plane().point;
-    const QPoint tip = m_f->at(before + 60 * m_f->canvas().pixelSize(before) * m_f->canvas().plane().normal);
+    const Vec<3> before = m_f->canvas().solid().plane().point;
+    const QPoint tip =
+        m_f->at(before + 60 * m_f->canvas().pixelSize(before) * m_f->canvas().solid().plane().normal);
     QTest::mouseMove(&m_f->canvas(), tip);
     m_f->drag(tip, tip + QPoint(25, 8));
-    QVERIFY((m_f->canvas().plane().point - before).norm() > 1e-3);
-    QVERIFY((m_f->canvas().plane().point - before).cross(m_f->canvas().plane().normal).norm() < 1e-9);
+    QVERIFY((m_f->canvas().solid().plane().point - before).norm() > 1e-3);
+    QVERIFY(
+        (m_f->canvas().solid().plane().point - before).cross(m_f->canvas().solid().plane().normal).norm() <
+        1e-9);
     m_f->canvas().setCutKind(CutKind::WholeCells);
     QVERIFY(m_f->canvas().grabFramebuffer() != exact);
     m_f->actions().cut->trigger();

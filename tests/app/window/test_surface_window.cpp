@@ -588,17 +588,17 @@ void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {
     QVERIFY((m_f->canvas().camera().pivot() - Vec<3>(0, 5, 0)).norm() < 0.2);
     m_f->actions().top->trigger();
     QVERIFY(isRed());
-    QCOMPARE(m_f->canvas().drawnTriangles(), 2);
+    QCOMPARE(m_f->canvas().solid().triangles(), 2);
     detail->trigger();
     QVERIFY(!isRed());
-    QVERIFY(m_f->canvas().drawnTriangles() > 100);
+    QVERIFY(m_f->canvas().solid().triangles() > 100);
     detail->trigger();
     m_f->window().actions().showMap->setChecked(true);  // the colours of the map lie on it
     QVERIFY(!isRed());
     m_f->window().actions().showMap->setChecked(false);
     m_f->actions().cut->trigger();  // the section is the solid's
     m_f->canvas().grabFramebuffer();
-    QVERIFY(m_f->canvas().drawnTriangles() > 2);
+    QVERIFY(m_f->canvas().solid().triangles() > 2);
     m_f->window().actions().closeFile->trigger();
     QVERIFY(m_f->session().document().isEmpty() && !m_f->window().banner().isVisible());
 }

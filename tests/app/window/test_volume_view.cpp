@@ -118,8 +118,9 @@ void TestVolumeView::picksTheNearestCell() {
 }
 
 void TestVolumeView::marqueeSeesThroughOrNot() {
-    const auto all = m_view->verticesIn(m_view->rect(), false);
-    const auto visible = m_view->verticesIn(m_view->rect(), true);
+    const auto inside = [this](const QPointF& p) { return QRectF(m_view->rect()).contains(p); };
+    const auto all = m_view->verticesWhere(inside, false);
+    const auto visible = m_view->verticesWhere(inside, true);
     QCOMPARE(static_cast<Eigen::Index>(all.size()), m_picture.pose.cols());
     QVERIFY(!visible.empty() && visible.size() < all.size());
 }
@@ -224,7 +225,7 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
     QVERIFY(high.green() > 100 && high.red() < 60 && high.blue() < 60);  // texture points count from below
     QVERIFY(low.blue() > 100 && low.red() < 60 && low.green() < 60);
     QCOMPARE(bar, image.pixelColor(2, 2));  // the border is not drawn
-    QCOMPARE(m_view->drawnTriangles(), 4);
+    QCOMPARE(m_view->solid().triangles(), 4);
     picture.materials = false;  // the colours of a map
     picture.cellColours.assign(picture.rest->cells.size(), qRgb(230, 230, 0));
     m_view->setPicture(picture, false);
@@ -442,13 +443,13 @@ void TestVolumeView::surfacesAloneAreNotCut() {
     view.resize(200, 200);
     view.setPicture(m_picture, true);
     view.setCut(static_cast<CutKind>(kind), {Vec<3>::Zero(), Vec<3>::UnitX()});
-    QVERIFY(!view.surface().triangles.empty());
+    QVERIFY(!view.solid().surface().triangles.empty());
     VolumePicture picture = m_picture;
     picture.rest = std::make_shared<const SimplicialMesh<3>>();
     picture.facets = std::make_shared<const std::vector<Facet<3>>>(
         std::vector<Facet<3>>{{{0, 1, 2}, {0, -1}}, {{0, 1, 3}, {1, -1}}});
     view.setPicture(picture, true);
-    QCOMPARE(view.surface().triangles.size(), std::size_t(2));
+    QCOMPARE(view.solid().surface().triangles.size(), std::size_t(2));
 }
 
 /// Those that it has may be the same.
@@ -470,7 +471,7 @@ void TestVolumeView::anotherSolidMayHaveFewerPoints() {
     const Vec<3> screen = view.camera().project(middle, view.size());
     QCOMPARE(view.pick({screen.x(), screen.y()}).cell, 0);
     view.setPicture(m_picture, true);
-    QCOMPARE(view.surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
+    QCOMPARE(view.solid().surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
 }
 
 /// Which has an OpenGL context of its own.
@@ -568,10 +569,10 @@ void TestVolumeView::manyTrianglesAreDrawn() {
     m_view->look(Camera::Axis::Isometric);
     m_view->setPicture(picture, true);
     const QImage image = m_view->grabFramebuffer();
-    QCOMPARE(m_view->drawnTriangles(), 100352);
+    QCOMPARE(m_view->solid().triangles(), 100352);
     QVERIFY(image.pixelColor(400, 300) != image.pixelColor(2, 2));
     QVERIFY(m_view->pick({400, 300}).cell >= 0);
-    QVERIFY(m_view->visitedByPick() < 400);
+    QVERIFY(m_view->solid().visited() < 400);
     picture.pose.row(2).array() += 0.3;
     m_view->setPicture(picture, false);
     QVERIFY(m_view->grabFramebuffer() != image);

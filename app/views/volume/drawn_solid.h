@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "app/views/volume/line_renderer.h"
+#include "app/views/volume/ray_casting.h"
+#include "app/views/volume/surface_renderer.h"
+#include "app/views/volume/volume_picture.h"
+#include "core/mesh/cut_plane.h"
+
+namespace wend {
+
+enum class CutKind { None, WholeCells, Exact };
+
+/// A solid as a view draws it, cut by a plane, with additional triangles. It uploads what has changed since
+/// the last drawing. Functions about drawing need the current context, all others none.
+class DrawnSolid {
+  public:
+    /// Prepares a new context, which has no resources yet. Returns false, with the reason in error(), if it
+    /// cannot draw.
+    bool initialize();
+    void release();
+    const QString& error() const { return m_renderer.error(); }
+    /// Returns whether the CPU draws.
+    bool isSoftware() const { return m_renderer.isSoftware(); }
+
+    void setPicture(VolumePicture picture);
+    const VolumePicture& picture() const { return m_picture; }
+    void setStyle(const SurfaceStyle& style);
+    /// Returns the style as the picture is drawn.
+    SurfaceStyle style() const;
+    void setCut(CutKind kind, const CutPlane& plane);
+    CutKind cut() const { return m_cut; }
+    const CutPlane& plane() const { return m_plane; }
+    bool isCutOff(const Vec<3>& p) const { return m_cut != CutKind::None && m_plane.height(p) > 1e-9; }
+    /// Sets additional triangles; the veiled ones are faintly visible where they are covered. Returns false
+    /// if there are none and there were none.
+    bool setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled);
+
+    /// Returns the drawn surface, with its cut.
+    const CutSurface& surface() const { return m_surface; }
+    /// Returns whether an embedded surface is drawn instead of the solid's border.
+    bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
+    /// Returns the points of that surface.
+    const Points<3>& skinPose() const;
+    /// Returns all drawn points.
+    Points<3> points() const;
+    /// Returns the nearest drawn point that the ray hits.
+    SolidHit hit(const Ray& ray) const;
+    /// Boxes and triangles that the last hit() looked at.
+    int visited() const { return m_rays.visited() + m_skinRays.visited(); }
+    /// Triangles that are drawn.
+    int triangles() const { return static_cast<int>(m_outer.triangles.size() + m_section.triangles.size()); }
+
+    /// Returns whether anything has changed since the last upload.
+    bool isStale() const;
+    /// Returns unreadable pictures of materials, once per surface.
+    QStringList upload();
+    /// `hasRim`: false where the background is unknown.
+    void draw(const Sight& sight, bool hasRim);
+
+  private:
+    /// Returns whether the embedded surface has points of its own, which the pointer then touches.
+    bool ridesInside() const { return showsSkin() && m_picture.embedding->isFree(); }
+    /// Returns the plane that cuts the embedded surface.
+    std::optional<CutPlane> clip() const;
+    void remakeSurface();
+    void uploadMeshes();
+    QStringList uploadTextures();
+    void uploadPose();
+    void uploadColours();
+    void uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin);
+    void uploadGlyphs();
+    void uploadRim(const Sight& sight);
+    std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
+
+    SurfaceRenderer m_renderer;
+    SurfaceStyle m_style;
+    VolumePicture m_picture;
+    std::shared_ptr<const Skin> m_textured;  // the skin whose pictures were uploaded
+    CutSurface m_surface;
+    DrawMesh m_outer, m_section;
+    std::vector<std::array<int, 2>> m_outline;  // of the section: its points
+    Points<3> m_sectionEnds{3, 0};              // of the lines of the outline
+    Contour m_contour;                          // of m_outer, if it is asked for
+    mutable std::optional<Points<3>> m_ridden;  // until the pose changes
+    mutable RayCasting m_rays;
+    mutable SkinCasting m_skinRays;
+    CutPlane m_plane;
+    CutKind m_cut = CutKind::None;
+    std::vector<DrawVertex> m_glyphs, m_veiled;
+    bool m_meshStale = true, m_poseStale = true, m_coloursStale = true, m_texturesStale = true;
+    bool m_glyphsStale = false, m_hasNormals = false, m_hasContour = false;
+};
+
+}  // namespace wend
