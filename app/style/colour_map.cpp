@@ -144,19 +144,19 @@ double sizeOf(double value, Scale scale) {
 
 }  // namespace
 
-ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows) {
-    using Kind = ShapeSession::FieldKind;
+ShapeMotion::FieldKind wantedField(bool map, Measure measure, bool arrows) {
+    using Kind = ShapeMotion::FieldKind;
     if (map && measure == Measure::Influence) return Kind::Influence;
     return arrows || (map && measure == Measure::Speed) ? Kind::Velocity : Kind::None;
 }
 
 template <int Dim>
-Points<Dim> fieldOf(const ShapeSession& session, Measure measure) {
-    if (measure == Measure::Speed) return session.velocity<Dim>();
-    return measure == Measure::Influence ? session.influence<Dim>() : Points<Dim>(Dim, 0);
+Points<Dim> fieldOf(const ShapeMotion& motion, Measure measure) {
+    if (measure == Measure::Speed) return motion.velocity<Dim>();
+    return measure == Measure::Influence ? motion.influence<Dim>() : Points<Dim>(Dim, 0);
 }
-template Points<2> fieldOf<2>(const ShapeSession&, Measure);
-template Points<3> fieldOf<3>(const ShapeSession&, Measure);
+template Points<2> fieldOf<2>(const ShapeMotion&, Measure);
+template Points<3> fieldOf<3>(const ShapeMotion&, Measure);
 
 bool isDistortion(Measure measure) {
     return rowOf(measure).ranks;
@@ -188,22 +188,22 @@ std::vector<double> cellValues(const PosedFrame<Dim>& frame, Measure measure, co
 namespace {
 
 template <int Dim>
-std::vector<double> valuesOfShown(const ShapeSession& session, Measure measure) {
-    return cellValues<Dim>(*session.frame<Dim>(), measure, fieldOf<Dim>(session, measure));
+std::vector<double> valuesOfShown(const ShapeMotion& motion, Measure measure) {
+    return cellValues<Dim>(*motion.frame<Dim>(), measure, fieldOf<Dim>(motion, measure));
 }
 
 }  // namespace
 
-std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
-    if (!session.frame()) return {};
-    return session.frame()->dimension == 2 ? valuesOfShown<2>(session, measure)
-                                           : valuesOfShown<3>(session, measure);
+std::vector<double> shownValues(const ShapeMotion& motion, Measure measure) {
+    if (!motion.frame()) return {};
+    return motion.frame()->dimension == 2 ? valuesOfShown<2>(motion, measure)
+                                          : valuesOfShown<3>(motion, measure);
 }
 
-std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
+std::optional<double> plainValue(const ShapeMotion& motion, Measure measure) {
     if (measure == Measure::Stiffness) return 1;
-    if (measure != Measure::Phi || session.document().isEmpty()) return {};
-    return session.document().design().material.phi;
+    if (measure != Measure::Phi || motion.document().isEmpty()) return {};
+    return motion.document().design().material.phi;
 }
 
 double paintedPart(double place, double plainPlace) {
@@ -244,12 +244,12 @@ void findBeyond(const std::vector<double>& values, MeasureRange& range) {
     range.above = std::ranges::any_of(values, [&](double value) { return value > range.high + rounding; });
 }
 
-std::vector<double> restValues(const ShapeSession& session, Measure measure) {
+std::vector<double> restValues(const ShapeMotion& motion, Measure measure) {
     const bool isQuality = measure == Measure::ScaledJacobian || measure == Measure::AspectRatio ||
                            measure == Measure::SmallestAngle;
-    if (!isQuality || !session.frame()) return {};
-    if (session.frame()->dimension == 2) return cellValues<2>(*atRest<2>(session.frame<2>()), measure);
-    return cellValues<3>(*atRest<3>(session.frame<3>()), measure);
+    if (!isQuality || !motion.frame()) return {};
+    if (motion.frame()->dimension == 2) return cellValues<2>(*atRest<2>(motion.frame<2>()), measure);
+    return cellValues<3>(*atRest<3>(motion.frame<3>()), measure);
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {

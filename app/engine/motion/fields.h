@@ -19,7 +19,7 @@ double shearAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int ce
 template <int Dim>
 double wayAt(const PosedFrame<Dim>& frame, const Points<Dim>& velocity, int cell);
 /// Returns the motion of the cell in percent of the motion of the selected handles. The field is their
-/// influence here (ShapeSession::influence).
+/// influence here (ShapeMotion::influence).
 template <int Dim>
 double influenceOn(const PosedFrame<Dim>& frame, const Points<Dim>& influence, int cell);
 /// Returns the edge length of a regular cell of the same rest area or volume.
