@@ -31,7 +31,7 @@ void WindowDrag::send(QEvent::Type type, const QPointF& at) {
 
 /// A frame is on the screen when the window has been painted to its end: what is queued now comes after that.
 bool WindowDrag::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Paint && watched == &m_parts.view && m_parts.session.isDragging()) {
+    if (event->type() == QEvent::Paint && watched == &m_parts.view && m_parts.session.motion().isDragging()) {
         const FramePtr frame = m_parts.drawn();
         if (frame && frame->live && frame != m_before && frame->sample > m_shown) {
             const int sample = frame->sample;
@@ -74,7 +74,7 @@ WindowDrag::Times WindowDrag::drag(const QPointF& from, const std::function<QPoi
     m_last = from + path(0.1);
     m_sent.push_back(0);
     send(QEvent::MouseMove, m_last);
-    if (!m_parts.session.isDragging()) throw std::runtime_error("there is nothing to drag");
+    if (!m_parts.session.motion().isDragging()) throw std::runtime_error("there is nothing to drag");
     QTimer due;  // wakes the loop for the next move, which otherwise sleeps as a program's does
     due.setTimerType(Qt::PreciseTimer);
     due.setSingleShot(true);

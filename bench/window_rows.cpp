@@ -251,11 +251,11 @@ class Stage {
         clock.start();
         m_tick.start(1);
         AfterRelease times;
-        while (session().isBusy() || times.shown == 0) {
+        while (session().motion().isBusy() || times.shown == 0) {
             if (m_stop.stop_requested()) throw Cancelled();
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-            const FramePtr frame = session().frame();
-            const bool exact = frame && !frame->live && !session().isStale();
+            const FramePtr frame = session().motion().frame();
+            const bool exact = frame && !frame->live && !session().motion().isStale();
             if (exact && times.shown == 0) times.shown = 1e-6 * static_cast<double>(clock.nsecsElapsed());
         }
         times.whole = 1e-6 * static_cast<double>(clock.nsecsElapsed());
@@ -271,12 +271,12 @@ class Stage {
         return m_window.canvas();
     }
     FramePtr drawn() {
-        if constexpr (Dim == 3) return session().frame();
+        if constexpr (Dim == 3) return session().motion().frame();
         const auto& drawn = m_window.canvas().drawn();
         return drawn ? FramePtr(drawn->request.frame) : FramePtr();
     }
     QPointF pin() {
-        for (const auto& pin : session().pins()) {
+        for (const auto& pin : session().gestures().pins()) {
             if (pin.handle != 1) continue;
             if constexpr (Dim == 3) return solid().onScreen(pin.centre);
             if constexpr (Dim == 2) return m_window.canvas().onScreen(pin.centre);
@@ -286,7 +286,7 @@ class Stage {
     bool settled() {
         if constexpr (Dim == 2)
             if (!m_window.canvas().isSettled()) return false;
-        return session().frame() && !session().isBusy() && !session().isStale();
+        return session().motion().frame() && !session().motion().isBusy() && !session().motion().isStale();
     }
     template <class Condition>
     void wait(const Condition& condition) {

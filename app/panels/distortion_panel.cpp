@@ -27,18 +27,19 @@ const QString kUnknown = QStringLiteral("–");
 
 }  // namespace
 
-PoseWatch::PoseWatch(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+PoseWatch::PoseWatch(ShapeMotion& motion, Playback& playback, QObject* parent)
+    : QObject(parent), m_motion(motion), m_playback(playback) {
     m_due.setSingleShot(true);
     m_due.setInterval(kPoseRest);
     connect(&m_due, &QTimer::timeout, this, &PoseWatch::look);
-    connect(&session, &ShapeSession::frameChanged, this, &PoseWatch::takeFrame);
-    connect(&session, &ShapeSession::busyChanged, this, &PoseWatch::takeFrame);
-    connect(&session.playback(), &Playback::playingChanged, this, &PoseWatch::takeFrame);
+    connect(&motion, &ShapeMotion::frameChanged, this, &PoseWatch::takeFrame);
+    connect(&motion, &ShapeMotion::busyChanged, this, &PoseWatch::takeFrame);
+    connect(&playback, &Playback::playingChanged, this, &PoseWatch::takeFrame);
     takeFrame();
 }
 
 void PoseWatch::takeFrame() {
-    if (m_session.frame() == m_seen) return;
+    if (m_motion.frame() == m_seen) return;
     m_due.start();
     m_seen.reset();
     if (!m_flat && !m_solid) return;
@@ -48,8 +49,8 @@ void PoseWatch::takeFrame() {
 }
 
 void PoseWatch::look() {
-    const FramePtr& frame = m_session.frame();
-    const bool moves = m_session.isDragging() || m_session.playback().isPlaying() || m_session.isBusy();
+    const FramePtr& frame = m_motion.frame();
+    const bool moves = m_motion.isDragging() || m_playback.isPlaying() || m_motion.isBusy();
     if (!frame || frame == m_seen || frame->live || moves || m_work.isRunning()) return;
     frame->dimension == 2 ? lookAt<2>(posed<2>(frame)) : lookAt<3>(posed<3>(frame));
 }
@@ -61,7 +62,7 @@ void PoseWatch::lookAt(const PosedPtr<Dim>& frame) {
         return std::make_shared<const PoseFaults<Dim>>(faultsOf<Dim>(*frame->built, frame->pose));
     };
     m_work = inBackground(this, find, [this, frame](const Found& found) {
-        if (m_session.frame() != frame) return m_due.start();  // it has moved on
+        if (m_motion.frame() != frame) return m_due.start();  // it has moved on
         m_seen = frame;
         if constexpr (Dim == 2)
             m_flat = found;
@@ -71,9 +72,9 @@ void PoseWatch::lookAt(const PosedPtr<Dim>& frame) {
     });
 }
 
-DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
+DistortionPanel::DistortionPanel(ShapeMotion& motion, Playback& playback, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_motion(motion),
       m_measure(new QComboBox(this)),
       m_legend(new Legend(this)),
       m_opacity(new JumpSlider(this)),
@@ -91,7 +92,7 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
       m_pinError(new QLabel(m_details)),
       m_time(new QLabel(m_details)),
       m_find(new QToolButton(this)),
-      m_watch(session),
+      m_watch(motion, playback),
       m_crossings(new QToolButton(m_details)),
       m_blown(new QToolButton(m_details)) {
     m_crossings->setObjectName(QStringLiteral("crossings"));
@@ -100,12 +101,13 @@ DistortionPanel::DistortionPanel(ShapeSession& session, QWidget* parent)
     makeControls();
     arrange();
     setDimension(2);
-    new CalmFollower(m_session, CalmFollower::Of::Frames, this, [this] { takeFrame(); });
+    new CalmFollower(
+        m_motion, this, [this] { takeFrame(); }, &m_motion, &ShapeMotion::frameChanged);
     for (ExactBox* box : {m_low, m_high})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DistortionPanel::chooseRange);
     connect(m_logarithmic, &QCheckBox::toggled, this, [this] {
         m_range.logarithmic = m_logarithmic->isChecked();
-        fitLogarithm(shownValues(m_session, measure()));
+        fitLogarithm(shownValues(m_motion, measure()));
         takeFrame();
         emit mapChanged();
     });
@@ -378,14 +380,14 @@ bool DistortionPanel::hasPicture(const ShapeFrame& frame) {
 }
 
 void DistortionPanel::takeFrame() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_motion.frame();
     setEnabled(frame != nullptr);
     m_details->setEnabled(frame != nullptr);
     if (!frame) return;
     setDimension(frame->dimension);
     m_opacityRow->setVisible(hasPicture(*frame));
     showTotals(*frame);
-    const std::vector<double> values = shownValues(m_session, measure());
+    const std::vector<double> values = shownValues(m_motion, measure());
     if (!m_keep->isChecked()) {
         m_range = rangeOf(values, measure(), m_dimension);
         m_range.logarithmic = m_logarithmic->isChecked() && leavesScale(measure());
@@ -393,14 +395,14 @@ void DistortionPanel::takeFrame() {
     }
     findBeyond(values, m_range);
     if (!m_keep->isChecked()) emit mapChanged();
-    m_legend->set(measure(), m_range, m_dimension, values, restValues(m_session, measure()));
+    m_legend->set(measure(), m_range, m_dimension, values, restValues(m_motion, measure()));
     showRange();
 }
 
 void DistortionPanel::showTotals(const ShapeFrame& frame) {
     const Distortion& distortion = *frame.distortion;
     const QLocale locale;
-    const QString about = frame.live || m_session.isStale() ? QStringLiteral("≈ ") : QString();
+    const QString about = frame.live || m_motion.isStale() ? QStringLiteral("≈ ") : QString();
     const auto text = [&](double value) { return about + locale.toString(value, 'f', 4); };
     m_angle->setText(text(distortion.totalAngle));
     m_area->setText(text(distortion.totalVolume));
@@ -409,7 +411,7 @@ void DistortionPanel::showTotals(const ShapeFrame& frame) {
           tr("No place is farther from rest than another."));
     m_worst->setText(about + worstText(distortion, measure(), m_dimension));
     const QString error = locale.toString(frame.pinError, 'f', 2);
-    m_pinError->setText(m_session.document().picture() ? tr("%1 px").arg(error) : error);
+    m_pinError->setText(m_motion.document().picture() ? tr("%1 px").arg(error) : error);
     m_time->setText(tr("%1 ms").arg(locale.toString(frame.milliseconds, 'f', 0)));
 }
 

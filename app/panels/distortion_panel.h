@@ -4,9 +4,10 @@
 #include <QWidget>
 
 #include "app/base/in_background.h"
+#include "app/engine/motion/playback.h"
 #include "app/engine/shape/pose_faults.h"
 #include "app/panels/legend.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 class QAction;
 class QCheckBox;
@@ -24,7 +25,7 @@ class PoseWatch : public QObject {
     Q_OBJECT
 
   public:
-    explicit PoseWatch(ShapeSession& session, QObject* parent = nullptr);
+    PoseWatch(ShapeMotion& motion, Playback& playback, QObject* parent = nullptr);
 
     /// Returns null while the result is unknown, or if the dimension differs.
     template <int Dim>
@@ -44,7 +45,8 @@ class PoseWatch : public QObject {
     template <int Dim>
     void lookAt(const PosedPtr<Dim>& frame);
 
-    ShapeSession& m_session;
+    ShapeMotion& m_motion;
+    Playback& m_playback;
     QTimer m_due;
     BackgroundWork m_work;
     FramePtr m_seen;  // that the faults are of
@@ -58,7 +60,7 @@ class DistortionPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit DistortionPanel(ShapeSession& session, QWidget* parent = nullptr);
+    DistortionPanel(ShapeMotion& motion, Playback& playback, QWidget* parent = nullptr);
 
     Measure measure() const;
     void setMeasure(Measure measure);
@@ -104,7 +106,7 @@ class DistortionPanel : public QWidget {
     void showFaults();
     void goOn(std::size_t& next, const std::vector<Vec<3>>& places);
 
-    ShapeSession& m_session;
+    ShapeMotion& m_motion;
     QComboBox* m_measure;
     Legend* m_legend;
     QWidget* m_opacityRow = nullptr;

@@ -78,9 +78,10 @@ int nearestCell(const SimplicialMesh<3>& mesh, const Vec<3>& place) {
 
 }  // namespace
 
-FactsPanel::FactsPanel(ShapeSession& session, QWidget* parent)
+FactsPanel::FactsPanel(Document& document, ShapeMotion& motion, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_motion(motion),
       m_surface(secondLabel({}, this)),
       m_mesh(secondLabel({}, this)),
       m_cage(secondLabel({}, this)),
@@ -99,13 +100,13 @@ FactsPanel::FactsPanel(ShapeSession& session, QWidget* parent)
     describe(m_gap, m_gap->text(), tr("Goes through the gaps that the cage closes, one after another."));
     describe(m_open, m_open->text(), tr("Makes the cage so fine that the widest of these gaps stays open."));
     connect(m_worst, &QPushButton::clicked, this, [this] {
-        if (const auto frame = m_session.frame<3>(); frame && frame->built->verdict)
+        if (const auto frame = m_motion.frame<3>(); frame && frame->built->verdict)
             emit cellWanted(frame->built->verdict->worstCell);
     });
     connect(m_gap, &QPushButton::clicked, this, &FactsPanel::goToGap);
     connect(m_open, &QPushButton::clicked, this, &FactsPanel::openGap);
-    connect(&session, &ShapeSession::frameChanged, this, &FactsPanel::refresh);
-    connect(&session.document(), &Document::projectChanged, this, &FactsPanel::refresh);
+    connect(&motion, &ShapeMotion::frameChanged, this, &FactsPanel::refresh);
+    connect(&document, &Document::projectChanged, this, &FactsPanel::refresh);
 }
 
 void FactsPanel::arrange() {
@@ -131,9 +132,9 @@ void FactsPanel::showEvent(QShowEvent*) {
 }
 
 void FactsPanel::refresh() {
-    if (!isVisible() || m_session.isDragging() || m_session.document().dimension() != 3) return;
+    if (!isVisible() || m_motion.isDragging() || m_document.dimension() != 3) return;
     lookAtFile();
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     const Shape<3> none;
     const Shape<3>& shape = frame ? *frame->built : none;
     if (frame && std::exchange(m_shape, frame->shape) != frame->shape) m_nextGap = 0;
@@ -143,7 +144,7 @@ void FactsPanel::refresh() {
 
 /// Reads each opened file once.
 void FactsPanel::lookAtFile() {
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     const QString path =
         QString::fromStdString(pathIn(document.folder().toStdString(), document.domain().path));
     if (path == m_path && document.generation() == m_generation) return;
@@ -183,16 +184,16 @@ void FactsPanel::showCage(const Shape<3>& shape) {
 }
 
 void FactsPanel::goToGap() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     if (!frame || !frame->built->cage || frame->built->cage->gaps.empty()) return;
     const auto& gaps = frame->built->cage->gaps;
     emit cellWanted(nearestCell(*frame->rest, gaps[m_nextGap++ % gaps.size()].place));
 }
 
 void FactsPanel::openGap() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     if (!frame || !frame->built->cage) return;
-    Document& document = m_session.document();
+    Document& document = m_document;
     Domain next = document.domain();
     frame->built->cage->opener.applyTo(next);
     document.changeDomain(tr("Open a gap"), std::move(next));

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/base/latest.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 class QLabel;
 class QPushButton;
@@ -18,7 +18,7 @@ class FactsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FactsPanel(ShapeSession& session, QWidget* parent = nullptr);
+    FactsPanel(Document& document, ShapeMotion& motion, QWidget* parent = nullptr);
 
   signals:
     /// Emitted to request a view of a tetrahedron.
@@ -36,7 +36,8 @@ class FactsPanel : public QWidget {
     void goToGap();
     void openGap();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    ShapeMotion& m_motion;
     QLabel *m_surface, *m_mesh, *m_cage;
     QPushButton *m_worst, *m_gap, *m_open;
     QString m_path;                       // of the file that was looked at …

@@ -45,9 +45,7 @@ std::vector<HeldGroup> heldGroups(const std::string& path) {
 }
 
 /// Adds a handle that holds a group, by its name, and selects it.
-void holdGroup(ShapeSession& session, const HeldGroup& group) {
-    Document& document = session.document();
-    const int count = session.handleCount();
+void holdGroup(Document& document, Selection& selection, const HeldGroup& group) {
     Design design = document.design();
     const std::vector<std::string> names = namesOf(design.handles);
     Pin& handle = design.handles.emplace_back();
@@ -56,14 +54,15 @@ void holdGroup(ShapeSession& session, const HeldGroup& group) {
     placeOnGroup(handle, group.name, group.dimension, group.vertices);
     document.changeDesign(ShapeSession::tr("Hold %1").arg(QString::fromStdString(group.name)),
                           std::move(design));
-    session.selection().set({count});
+    selection.set({static_cast<int>(document.design().handles.size()) - 1});
 }
 
 }  // namespace
 
-GroupList::GroupList(ShapeSession& session, QWidget* parent)
+GroupList::GroupList(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_selection(selection),
       m_list(new QListWidget(this)),
       m_hold(new QPushButton(tr("Hold It"), this)),
       m_content(new QWidget(this)) {
@@ -84,7 +83,7 @@ GroupList::GroupList(ShapeSession& session, QWidget* parent)
         m_hold, tr("Hold the group"),
         tr("Makes a pin of the chosen group, which the project names, so that it fits other meshes, too."));
     hide();
-    connect(&session.document(), &Document::opened, this, &GroupList::read);
+    connect(&document, &Document::opened, this, &GroupList::read);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         m_hold->setEnabled(m_list->currentRow() >= 0);
         tell();
@@ -97,7 +96,7 @@ GroupList::GroupList(ShapeSession& session, QWidget* parent)
 void GroupList::read() {
     m_reading.drop();
     take({});
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     if (document.isEmpty() || document.domain().kind == DomainKind::Image) return;
     const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
     m_reading.ask([path] { return heldGroups(path); },
@@ -133,7 +132,7 @@ void GroupList::tell() {
 
 void GroupList::hold() {
     const int row = m_list->currentRow();
-    if (row >= 0) holdGroup(m_session, m_groups[static_cast<std::size_t>(row)]);
+    if (row >= 0) holdGroup(m_document, m_selection, m_groups[static_cast<std::size_t>(row)]);
 }
 
 void GroupList::showEvent(QShowEvent* event) {

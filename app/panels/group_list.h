@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "app/base/latest.h"
-#include "app/session/shape_session.h"
+#include "app/project/edits/document.h"
+#include "app/session/selection.h"
 
 class QListWidget;
 class QPushButton;
@@ -37,7 +38,7 @@ class GroupList : public QWidget {
     Q_OBJECT
 
   public:
-    explicit GroupList(ShapeSession& session, QWidget* parent = nullptr);
+    GroupList(Document& document, Selection& selection, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
     QPushButton* holdButton() const { return m_hold; }
 
@@ -55,7 +56,8 @@ class GroupList : public QWidget {
     void tell();
     void hold();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Selection& m_selection;
     std::vector<HeldGroup> m_groups;
     QListWidget* m_list;
     QPushButton* m_hold;

@@ -18,7 +18,7 @@
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/timing_edits.h"
 #include "app/session/calm_follower.h"
-#include "app/session/pins/curve_making.h"
+#include "app/session/pins/pin_shapes.h"
 #include "app/style/theme.h"
 
 namespace wend {
@@ -45,7 +45,9 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
     connect(&m_session.playback(), &Playback::timeChanged, this, &CurvePanel::showCurve);
     for (ExactBox* box : {m_twist, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
-    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { showCurve(); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { showCurve(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
+        &m_session.motion(), &ShapeMotion::frameChanged);
     showCurve();
 }
 
@@ -91,7 +93,7 @@ bool CurvePanel::holdsPart() const {
             return view.handle == single() && view.points.size() > 1;
         });
     };
-    return many(m_session.pins(true)) || many(m_session.ghosts());
+    return many(m_session.gestures().pins(true)) || many(m_session.gestures().ghosts());
 }
 
 /// A disabled field explains why, first in its tooltip.
@@ -114,7 +116,7 @@ int CurvePanel::shownMotion() const {
 }
 
 void CurvePanel::changeEase() {
-    if (single() < 0 || !m_session.mayChange(single())) return showCurve();
+    if (single() < 0 || !m_session.gestures().mayChange(single())) return showCurve();
     const int motion = shownMotion();
     m_session.document().changeDesign(
         tr("Change easing"), withMotionEase(m_session.document().design(), {{single(), motion}},
@@ -169,7 +171,9 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
     arrange();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &HandlePanel::showStep);
     connect(m_apply, &QToolButton::clicked, this, &HandlePanel::apply);
-    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { showHandle(); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { showHandle(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
+        &m_session.motion(), &ShapeMotion::frameChanged);
     showStep();
     showHandle();
 }
@@ -221,7 +225,7 @@ void HandlePanel::arrange() {
 /// Returns the centre of the selected handles that act now; in the plane without z.
 std::optional<Vec3> HandlePanel::middle() const {
     std::vector<Vec3> centres;
-    for (const PinView& pin : m_session.pins(true))
+    for (const PinView& pin : m_session.gestures().pins(true))
         if (m_session.selection().contains(pin.handle)) centres.push_back(pin.centre);
     return centres.empty() ? std::nullopt : std::optional(meanOf(centres));
 }
@@ -270,7 +274,7 @@ void HandlePanel::showHandle() {
     m_place->setVisible(any);
     placeNumbers();
     if (!any) return;
-    const double size = m_session.frame() ? m_session.frame()->diagonal : 1;
+    const double size = m_session.motion().frame() ? m_session.motion().frame()->diagonal : 1;
     const double unit = std::pow(10, std::floor(std::log10(size > 0 ? size : 1)) - 5);
     const auto centre = middle();
     const QString none = tr("does not hold now");

@@ -31,7 +31,7 @@ class CurvePanel : public QWidget {
     void showCurve();
     void change();
     int dimension() const { return m_session.document().dimension(); }
-    int single() const { return m_session.singleHandle(); }
+    int single() const { return m_session.selection().single(); }
     bool holdsPart() const;
     void allowTurning(bool allow);
     void changeEase();

@@ -29,9 +29,9 @@ bool hasCells(const MaterialSpec& material) {
 
 }  // namespace
 
-LayerPanel::LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* parent)
+LayerPanel::LayerPanel(Document& document, LayerChoice& chosen, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
       m_chosen(chosen),
       m_list(new QListWidget(this)),
       m_up(new QToolButton(this)),
@@ -142,9 +142,9 @@ void LayerPanel::arrange() {
 }
 
 void LayerPanel::connectControls() {
-    connect(&m_session.document(), &Document::projectChanged, this, &LayerPanel::showLayers);
+    connect(&m_document, &Document::projectChanged, this, &LayerPanel::showLayers);
     connect(&m_chosen, &LayerChoice::changed, this, [this] { select(m_chosen.now().id, isCells()); });
-    connect(&m_session.document(), &Document::opened, this, [this] {
+    connect(&m_document, &Document::opened, this, [this] {
         m_chosen.set({});
         showUnit();
     });
@@ -207,7 +207,7 @@ void LayerPanel::takeItem(QListWidgetItem* item) {
 
 /// Moves a layer. The list shows the topmost first. Values given per cell stay at the bottom.
 void LayerPanel::takeOrder(int from, int to) {
-    if (m_session.document().isEmpty() || to >= m_list->count()) return;
+    if (m_document.isEmpty() || to >= m_list->count()) return;
     const QListWidgetItem* moved = m_list->item(to);
     if (moved->data(kCells).toBool()) return showLayers();
     change(tr("Move layer"), withLayerMoved(layers(), layerOf(moved), from - to));
@@ -215,7 +215,7 @@ void LayerPanel::takeOrder(int from, int to) {
 }
 
 void LayerPanel::remove() {
-    Document& document = m_session.document();
+    Document& document = m_document;
     if (isCells())
         document.changeDesign(tr("Remove layer"), withoutCells(document.design()));
     else
@@ -223,7 +223,7 @@ void LayerPanel::remove() {
 }
 
 const std::vector<MaterialLayer>& LayerPanel::layers() const {
-    return m_session.document().design().material.layers;
+    return m_document.design().material.layers;
 }
 
 bool LayerPanel::isCells() const {
@@ -235,7 +235,7 @@ Id LayerPanel::selected() const {
 }
 
 void LayerPanel::change(const QString& step, std::vector<MaterialLayer> next, const QString& key) {
-    Document& document = m_session.document();
+    Document& document = m_document;
     if (document.isEmpty()) return;
     Design design = document.design();
     design.material.layers = std::move(next);
@@ -244,11 +244,11 @@ void LayerPanel::change(const QString& step, std::vector<MaterialLayer> next, co
 
 template <class Change>
 void LayerPanel::changeChosen(const QString& step, const Change& change, const QString& key) {
-    if (!m_session.document().isEmpty()) this->change(step, withLayer(layers(), selected(), change), key);
+    if (!m_document.isEmpty()) this->change(step, withLayer(layers(), selected(), change), key);
 }
 
 void LayerPanel::showValues() {
-    const bool has = m_list->currentItem() && !m_session.document().isEmpty();
+    const bool has = m_list->currentItem() && !m_document.isEmpty();
     m_values->setVisible(has);
     m_none->setVisible(m_list->count() == 0);
     m_list->setVisible(m_list->count() > 0);
@@ -297,13 +297,13 @@ void LayerPanel::hideEvent(QHideEvent* event) {
 }
 
 void LayerPanel::fill() {
-    const Design& design = m_session.document().design();
+    const Design& design = m_document.design();
     int row = 0;
     for (const MaterialLayer& layer : layers() | std::views::reverse) {
         const LayerValues values = valuesOf(layer);
         QListWidgetItem* item = itemAt(row++);
         item->setIcon(values.pictures.any() ? graySwatch()
-                                            : layerSwatch(values.paint, m_session.document().dimension()));
+                                            : layerSwatch(values.paint, m_document.dimension()));
         item->setText(layer.name.empty() ? tr("Unnamed") : QString::fromStdString(layer.name));
         setLayerOf(*item, layer.id);
         item->setData(kCells, false);
@@ -333,7 +333,7 @@ void LayerPanel::showLayers() {
     const bool cells = isCells();
     {
         const QSignalBlocker quiet(m_list);
-        m_session.document().isEmpty() ? m_list->clear() : fill();
+        m_document.isEmpty() ? m_list->clear() : fill();
     }
     select(m_chosen.now().id, cells);
 }
@@ -371,7 +371,7 @@ void LayerPanel::changePaint() {
     MaterialPaint paint;
     if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();
     Vec3 axis = Vec3::Zero();
-    for (int k = 0; k < m_session.document().dimension(); ++k) axis[k] = m_axis[k]->exact();
+    for (int k = 0; k < m_document.dimension(); ++k) axis[k] = m_axis[k]->exact();
     if (axis.isZero(0)) axis = Vec3::UnitX();
     if (std::abs(axis.norm() - 1) >= 1e-12) axis.normalize();  // unit vectors keep their bits
     if (m_ratio->exact() != 1) paint.stiffness = Stiffness{axis, m_ratio->exact()};
@@ -386,7 +386,7 @@ void LayerPanel::showLayer(const MaterialLayer& layer) {
     const LayerValues values = valuesOf(layer);
     const std::optional<double>& phi = values.paint.phi;
     const double ratio = values.paint.stiffness ? values.paint.stiffness->ratio : 1;
-    const int dimension = m_session.document().dimension();
+    const int dimension = m_document.dimension();
     m_phi->setDimension(dimension);
     m_hasPhi->setChecked(phi.has_value());
     m_phi->setEnabled(phi.has_value());
@@ -413,7 +413,7 @@ void LayerPanel::allowDirection(bool isStiff) {
 
 /// Shows the unit of a picture, or of a mesh file.
 void LayerPanel::showUnit() {
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     if (document.isEmpty()) return;
     const Domain& domain = document.domain();
     const QString unit = QString::fromStdString(
@@ -436,7 +436,7 @@ void LayerPanel::showPictures(const MaterialPictures& pictures) {
 }
 
 void LayerPanel::showCells() {
-    const std::string& file = m_session.document().design().material.cellsFile;
+    const std::string& file = m_document.design().material.cellsFile;
     m_files->setText(file.empty()
                          ? tr("As the project's file says, cell by cell.")
                          : tr("Cell by cell: %1").arg(QFileInfo(QString::fromStdString(file)).fileName()));

@@ -3,9 +3,9 @@
 #include <QWidget>
 #include <array>
 
+#include "app/project/edits/document.h"
 #include "app/project/edits/material_edits.h"
 #include "app/session/brush.h"
-#include "app/session/shape_session.h"
 
 class QCheckBox;
 class QLabel;
@@ -26,7 +26,7 @@ class LayerPanel : public QWidget {
     Q_OBJECT
 
   public:
-    LayerPanel(ShapeSession& session, LayerChoice& chosen, QWidget* parent = nullptr);
+    LayerPanel(Document& document, LayerChoice& chosen, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
     /// Sets the menu that imports and exports pictures.
     void setPictureMenu(QMenu* menu);
@@ -68,7 +68,7 @@ class LayerPanel : public QWidget {
     Id selected() const;
     void tellChosen();
 
-    ShapeSession& m_session;
+    Document& m_document;
     LayerChoice& m_chosen;
     Id m_pointed = Id::None;  // the clicked layer, whose border is shown
     QListWidget* m_list;

@@ -114,9 +114,10 @@ void BalancePanel::showProject() {
         .allow(!paper, tr("This project smooths as in the paper, with λ; its file says how much."));
 }
 
-MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
+MaterialPanel::MaterialPanel(Document& document, ShapeMotion& motion, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_motion(motion),
       m_title(panelTitle({}, this)),
       m_slider(new EnergySlider(this, EnergySlider::Stops::Tiles)),
       m_help(secondLabel({}, this)),
@@ -136,8 +137,9 @@ MaterialPanel::MaterialPanel(ShapeSession& session, QWidget* parent)
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
     connect(m_grown, &QPushButton::clicked, this,
             [this] { choosePhi(m_slider->scale().stops().at(calmerStop()).phi, -1); });
-    new CalmFollower(m_session, CalmFollower::Of::Frames, this, [this] { showGrowth(); });
-    connect(&m_session.document(), &Document::projectChanged, this, &MaterialPanel::showProject);
+    new CalmFollower(
+        m_motion, this, [this] { showGrowth(); }, &m_motion, &ShapeMotion::frameChanged);
+    connect(&m_document, &Document::projectChanged, this, &MaterialPanel::showProject);
     showProject();
     showGrowth();
 }
@@ -148,10 +150,10 @@ void MaterialPanel::setBesideBrush(bool beside) {
 }
 
 void MaterialPanel::showProject() {
-    setEnabled(!m_session.document().isEmpty());
-    if (m_session.document().isEmpty()) return;
-    const double phi = settingOf(*m_session.document().project(), "material.phi");
-    m_slider->setDimension(m_session.document().dimension());
+    setEnabled(!m_document.isEmpty());
+    if (m_document.isEmpty()) return;
+    const double phi = settingOf(*m_document.project(), "material.phi");
+    m_slider->setDimension(m_document.dimension());
     m_slider->setPhi(phi);
     const EnergyScale& scale = m_slider->scale();
     const int stop = scale.stopAt(phi);
@@ -175,7 +177,7 @@ void MaterialPanel::changeEvent(QEvent* event) {
 }
 
 void MaterialPanel::showGrowth() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_motion.frame();
     const bool much = frame && frame->growth > kMuch && calmerStop() >= 0;
     m_grown->setVisible(much);
     m_title->setText(!m_besideBrush ? tr("Keep") : much ? tr("Whole shape") : tr("Keep: whole shape"));
@@ -187,7 +189,7 @@ void MaterialPanel::showGrowth() {
 }
 
 void MaterialPanel::choosePhi(double phi, int gesture) {
-    changeSetting(m_session.document(), "material.phi", phi, gesture);
+    changeSetting(m_document, "material.phi", phi, gesture);
 }
 
 }  // namespace wend

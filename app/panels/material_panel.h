@@ -5,7 +5,7 @@
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/setting_rows.h"
 #include "app/project/edits/document.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 class QLabel;
 class QPushButton;
@@ -49,7 +49,7 @@ class MaterialPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MaterialPanel(ShapeSession& session, QWidget* parent = nullptr);
+    MaterialPanel(Document& document, ShapeMotion& motion, QWidget* parent = nullptr);
     EnergySlider* energySlider() const { return m_slider; }
     /// Makes the title state that these stops belong to the whole shape while a brush has its own.
     void setBesideBrush(bool beside);
@@ -61,7 +61,8 @@ class MaterialPanel : public QWidget {
     int calmerStop() const;
     void choosePhi(double phi, int gesture);
 
-    ShapeSession& m_session;
+    Document& m_document;
+    ShapeMotion& m_motion;
     QLabel* m_title;
     EnergySlider* m_slider;
     QLabel* m_help;

@@ -52,9 +52,11 @@ double shownValue(const PosedFrame<3>& frame, const Eigen::MatrixXd& velocity, M
 
 }  // namespace
 
-MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
+MeasurePanel::MeasurePanel(ShapeMotion& motion, Selection& selection, const ShownPins& pins, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_motion(motion),
+      m_selection(selection),
+      m_shown(pins),
       m_whole(secondLabel({}, this)),
       m_part(secondLabel({}, this)),
       m_point(secondLabel({}, this)),
@@ -75,7 +77,9 @@ MeasurePanel::MeasurePanel(ShapeSession& session, QWidget* parent)
              tr("Volume of the tetrahedra and area of the outer triangles that the selected handles hold."));
     describe(m_point, tr("Vertex under the pointer"), tr("The nearest vertex and where it is."));
     describe(m_cell, tr("Tetrahedron under the pointer"), tr("All values of the tetrahedron."));
-    new CalmFollower(session, CalmFollower::Of::Both, this, [this] { refresh(); });
+    new CalmFollower(
+        motion, this, [this] { refresh(); }, &motion, &ShapeMotion::frameChanged, &selection,
+        &Selection::changed);
 }
 
 void MeasurePanel::setPointed(int cell, int vertex, const Vec<3>& point) {
@@ -90,13 +94,13 @@ void MeasurePanel::showEvent(QShowEvent*) {
 }
 
 void MeasurePanel::refresh() {
-    if (!isVisible() || m_session.isDragging()) return;
+    if (!isVisible() || m_motion.isDragging()) return;
     showSizes();
     showPointed();
 }
 
 void MeasurePanel::showSizes() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     if (!frame || !frame->built->facets) return;
     const auto text = [](const QString& title, const SolidSize& now, const SolidSize& rest) {
         const QString both = tr("%1, at rest %2");
@@ -107,9 +111,9 @@ void MeasurePanel::showSizes() {
     };
     m_whole->setText(text(tr("The whole"), sizeOf(*frame, frame->pose), sizeOf(*frame, frame->rest->points)));
     std::vector<int> held;
-    for (const int handle : m_session.selection().handles())
-        if (handle < static_cast<int>(m_session.document().design().handles.size()))
-            for (const int v : m_session.verticesOf(handle)) held.push_back(v);
+    for (const int handle : m_selection.handles())
+        if (handle < static_cast<int>(m_motion.document().design().handles.size()))
+            for (const int v : m_shown.verticesOf(handle)) held.push_back(v);
     m_part->setVisible(!held.empty());
     if (held.empty()) return;
     m_part->setText(text(tr("Selected vertices: %n", nullptr,
@@ -118,7 +122,7 @@ void MeasurePanel::showSizes() {
 }
 
 void MeasurePanel::showPointed() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     const bool has = frame && m_pointedCell >= 0 && m_pointedCell < frame->cells && m_vertex >= 0 &&
                      m_vertex < frame->vertices;
     if (!has) {
@@ -126,7 +130,7 @@ void MeasurePanel::showPointed() {
         m_cell->clear();
         return;
     }
-    const Eigen::MatrixXd velocity = m_session.velocity();
+    const Eigen::MatrixXd velocity = m_motion.velocity();
     m_point->setText(QStringLiteral("<b>%1</b><table>").arg(tr("Vertex %1").arg(m_vertex)) +
                      tableLine(tr("place"), place(frame->pose.col(m_vertex), frame->diagonal)) +
                      tableLine(tr("at rest"), place(frame->rest->points.col(m_vertex), frame->diagonal)) +

@@ -2,7 +2,9 @@
 
 #include <QWidget>
 
-#include "app/session/shape_session.h"
+#include "app/session/pins.h"
+#include "app/session/selection.h"
+#include "app/session/shape_motion.h"
 
 class QLabel;
 
@@ -13,7 +15,7 @@ class MeasurePanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MeasurePanel(ShapeSession& session, QWidget* parent = nullptr);
+    MeasurePanel(ShapeMotion& motion, Selection& selection, const ShownPins& pins, QWidget* parent = nullptr);
 
   public slots:
     /// Sets the cell under the pointer with its nearest corner and the point; cell −1 for none.
@@ -27,7 +29,9 @@ class MeasurePanel : public QWidget {
     void showSizes();
     void showPointed();
 
-    ShapeSession& m_session;
+    ShapeMotion& m_motion;
+    Selection& m_selection;
+    const ShownPins& m_shown;
     QLabel *m_whole, *m_part, *m_point, *m_cell;
     int m_pointedCell = -1, m_vertex = -1;
     Vec<3> m_at = Vec<3>::Zero();

@@ -81,10 +81,11 @@ void DetailRow::showDomain(const Domain& domain) {
     m_remove->setVisible(!path.isEmpty());
 }
 
-MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
+MeshPanel::MeshPanel(Document& document, ShapeMotion& motion, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
-      m_settings(session.document(), this, CutOutPanel::notACutOut()),
+      m_document(document),
+      m_motion(motion),
+      m_settings(document, this, CutOutPanel::notACutOut()),
       m_density(new JumpSlider(this)),
       m_aim(new QComboBox(this)),
       m_whose(new QComboBox(this)),
@@ -95,8 +96,8 @@ MeshPanel::MeshPanel(ShapeSession& session, QWidget* parent)
     makeControls();
     arrange();
     connectControls();
-    connect(&m_session.document(), &Document::projectChanged, this, &MeshPanel::showProject);
-    connect(&m_session, &ShapeSession::frameChanged, this, &MeshPanel::showCounts);
+    connect(&m_document, &Document::projectChanged, this, &MeshPanel::showProject);
+    connect(&m_motion, &ShapeMotion::frameChanged, this, &MeshPanel::showCounts);
     showProject();
 }
 
@@ -157,13 +158,13 @@ void MeshPanel::connectControls() {
     connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
     connect(m_density, &QSlider::valueChanged, this, [this](int value) {
         if (m_part < 0)
-            changeSetting(m_session.document(), "domain.vertices", verticesOf(value), m_gesture);
+            changeSetting(m_document, "domain.vertices", verticesOf(value), m_gesture);
         else
-            changePartSetting(m_session.document(), m_part, "domain.vertices", verticesOf(value), m_gesture);
+            changePartSetting(m_document, m_part, "domain.vertices", verticesOf(value), m_gesture);
     });
     connect(m_whose, &QComboBox::activated, this, [this](int row) { setPart(row - 1); });
     connect(m_asAll, &QToolButton::clicked, this, [this] {
-        Document& document = m_session.document();
+        Document& document = m_document;
         if (m_part >= 0) document.change(m_asAll->text(), withoutOwnOutline(*document.project(), m_part));
     });
     connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == ByVolume); });
@@ -174,21 +175,20 @@ void MeshPanel::connectControls() {
 
 /// Begins with the volume that the mesh has now, so that it stays about as fine.
 void MeshPanel::setAim(bool volume) {
-    const bool isVolume = m_session.document().domain().maxVolume > 0;
+    const bool isVolume = m_document.domain().maxVolume > 0;
     if (volume == isVolume) return;
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     if (volume && !frame) {
         showProject();
         return;
     }
-    Domain next = m_session.document().domain();
+    Domain next = m_document.domain();
     next.maxVolume = volume ? largestCell(*frame) : 0;
-    m_session.document().changeDomain(volume ? tr("Aim at a volume") : tr("Aim at vertices"),
-                                      std::move(next));
+    m_document.changeDomain(volume ? tr("Aim at a volume") : tr("Aim at vertices"), std::move(next));
 }
 
 void MeshPanel::showProject() {
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     const bool meshed = !document.isEmpty() && document.domain().kind != DomainKind::Mesh;
     showRows();
     setEnabled(meshed);
@@ -211,8 +211,8 @@ void MeshPanel::showProject() {
 }
 
 void MeshPanel::setPart(int part) {
-    if (m_session.document().isEmpty()) return;
-    const std::vector<PicturePart>& parts = m_session.document().domain().parts;
+    if (m_document.isEmpty()) return;
+    const std::vector<PicturePart>& parts = m_document.domain().parts;
     const bool isPart = part >= 0 && part < static_cast<int>(parts.size());
     m_partName = isPart ? parts[static_cast<std::size_t>(part)].name : std::string();
     showProject();
@@ -220,7 +220,7 @@ void MeshPanel::setPart(int part) {
 
 /// Shows the choice of a part, which may have moved or be gone.
 void MeshPanel::showParts() {
-    const std::vector<PicturePart>& parts = m_session.document().domain().parts;
+    const std::vector<PicturePart>& parts = m_document.domain().parts;
     const auto found = std::ranges::find(parts, m_partName, &PicturePart::name);
     const int before =
         std::exchange(m_part, found == parts.end() ? -1 : static_cast<int>(found - parts.begin()));
@@ -235,8 +235,8 @@ void MeshPanel::showParts() {
 
 /// Returns whether the picture that is chosen has transparency; of all parts one is enough.
 bool MeshPanel::hasAlpha() const {
-    const Document& document = m_session.document();
-    const auto frame = m_session.frame<2>();
+    const Document& document = m_document;
+    const auto frame = m_motion.frame<2>();
     const Texture* texture = frame && frame->built ? frame->built->texture.get() : nullptr;
     if (document.domain().parts.empty() || !texture || !texture->drawn)
         return document.picture() && document.picture()->alpha;
@@ -250,8 +250,8 @@ bool MeshPanel::hasAlpha() const {
 
 /// Returns how many vertices the mesh of the chosen part has.
 int MeshPanel::partVertices() const {
-    const auto frame = m_session.frame<2>();
-    const std::string& name = m_session.document().domain().parts[static_cast<std::size_t>(m_part)].name;
+    const auto frame = m_motion.frame<2>();
+    const std::string& name = m_document.domain().parts[static_cast<std::size_t>(m_part)].name;
     if (frame)
         for (const MeshPart& part : frame->rest->parts)
             if (part.name == name) return part.endVertex - part.firstVertex;
@@ -260,7 +260,7 @@ int MeshPanel::partVertices() const {
 
 /// Shows the number of vertices that is aimed at; of a part without an own one, how many it has.
 void MeshPanel::showDetail() {
-    const Domain& domain = m_session.document().domain();
+    const Domain& domain = m_document.domain();
     int vertices = domain.vertices;
     if (m_part >= 0) {
         const int own = domain.parts[static_cast<std::size_t>(m_part)].vertices;
@@ -273,7 +273,7 @@ void MeshPanel::showDetail() {
 
 /// Rows that stay are not hidden in between, because their fields would lose the focus.
 void MeshPanel::showRows() {
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     const bool solid = document.dimension() == 3;
     const bool surface = solid && document.domain().kind == DomainKind::Surface;
     const bool volume = surface && document.domain().maxVolume > 0;
@@ -294,17 +294,17 @@ void MeshPanel::showRows() {
 
 /// Shows the choice where there is one.
 void MeshPanel::showShells() {
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     const bool surface = document.dimension() == 3 && document.domain().kind == DomainKind::Surface;
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_motion.frame<3>();
     m_shells->setVisible(surface && (document.domain().shells != Shells::Automatic ||
                                      (frame && frame->built && frame->built->hasSpaces)));
 }
 
 void MeshPanel::showCounts() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_motion.frame();
     showShells();
-    if (m_part >= 0 && m_part < static_cast<int>(m_session.document().domain().parts.size())) showDetail();
+    if (m_part >= 0 && m_part < static_cast<int>(m_document.domain().parts.size())) showDetail();
     if (!frame) {
         m_counts->clear();
         return;

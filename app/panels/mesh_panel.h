@@ -4,7 +4,7 @@
 
 #include "app/panels/fields/setting_rows.h"
 #include "app/project/project_fwd.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 class QComboBox;
 class QLabel;
@@ -35,7 +35,7 @@ class MeshPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MeshPanel(ShapeSession& session, QWidget* parent = nullptr);
+    MeshPanel(Document& document, ShapeMotion& motion, QWidget* parent = nullptr);
     /// Shows the outline and detail of one part of the picture; −1: of all.
     void setPart(int part);
 
@@ -61,7 +61,8 @@ class MeshPanel : public QWidget {
     void showShells();
     void showCounts();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    ShapeMotion& m_motion;
     SettingRows m_settings;
     QSlider* m_density;
     QComboBox* m_aim;

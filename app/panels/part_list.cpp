@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/engine/motion/playback.h"
 #include "app/engine/shape/mesh_parts.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/fields/number_boxes.h"
@@ -17,7 +18,7 @@
 #include "app/panels/part_items.h"
 #include "app/project/domain.h"
 #include "app/project/edits/part_edits.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 #include "app/style/theme.h"
 
 class QLabel;
@@ -68,21 +69,23 @@ class PartOrderRow : public QWidget {
     Q_OBJECT
 
   public:
-    explicit PartOrderRow(ShapeSession& session, QWidget* parent = nullptr);
+    PartOrderRow(Document& document, Playback& playback, QWidget* parent = nullptr);
     void showPart(int part);
 
   private:
     void set(bool front);
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Playback& m_playback;
     QToolButton *m_front, *m_back, *m_never;
     QLabel* m_times;
     int m_part = -1;
 };
 
-PartOrderRow::PartOrderRow(ShapeSession& session, QWidget* parent)
+PartOrderRow::PartOrderRow(Document& document, Playback& playback, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_playback(playback),
       m_front(new QToolButton(this)),
       m_back(new QToolButton(this)),
       m_never(new QToolButton(this)),
@@ -106,34 +109,35 @@ PartOrderRow::PartOrderRow(ShapeSession& session, QWidget* parent)
     connect(m_front, &QToolButton::clicked, this, [this] { set(true); });
     connect(m_back, &QToolButton::clicked, this, [this] { set(false); });
     connect(m_never, &QToolButton::clicked, this, [this] {
-        Domain domain = m_session.document().domain();
+        Domain domain = m_document.domain();
         domain.parts.at(static_cast<std::size_t>(m_part)).order.clear();
-        m_session.document().changeDomain(tr("Keep the order"), std::move(domain));
+        m_document.changeDomain(tr("Keep the order"), std::move(domain));
     });
 }
 
 void PartOrderRow::set(bool front) {
-    Document& document = m_session.document();
+    Document& document = m_document;
     const auto count = static_cast<int>(document.domain().parts.size());
     if (m_part < 0 || m_part >= count) return;
     document.change(front ? tr("In front from here on") : tr("Behind from here on"),
-                    withPartInFront(*document.project(), m_part, m_session.playback().time(), front));
+                    withPartInFront(*document.project(), m_part, m_playback.time(), front));
 }
 
 void PartOrderRow::showPart(int part) {
     m_part = part;
     if (part < 0) return;
     QStringList times;
-    for (const PartOrder& one : m_session.document().domain().parts.at(static_cast<std::size_t>(part)).order)
+    for (const PartOrder& one : m_document.domain().parts.at(static_cast<std::size_t>(part)).order)
         times << tr("%1 s").arg(QLocale().toString(one.time * Playback::kSecondsPerUnit, 'f', 2));
     m_never->setVisible(!times.isEmpty());
     m_times->setVisible(!times.isEmpty());
     m_times->setText(tr("Changes at %1").arg(times.join(QStringLiteral(", "))));
 }
 
-PartList::PartList(ShapeSession& session, QWidget* parent)
+PartList::PartList(Document& document, ShapeMotion& motion, Playback& playback, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_motion(motion),
       m_list(new QListWidget(this)),
       m_forward(new QToolButton(this)),
       m_backward(new QToolButton(this)),
@@ -143,7 +147,7 @@ PartList::PartList(ShapeSession& session, QWidget* parent)
       m_blend(new QComboBox(this)),
       m_joined(new QComboBox(this)),
       m_rides(new QComboBox(this)),
-      m_order(new PartOrderRow(session, this)) {
+      m_order(new PartOrderRow(document, playback, this)) {
     makeControls();
     auto* layout = sectionColumn(this);
     layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_lock, m_forward, m_backward}));
@@ -224,7 +228,7 @@ void PartList::makeControls() {
 }
 
 void PartList::connectControls() {
-    connect(&m_session.document(), &Document::projectChanged, this, &PartList::showParts);
+    connect(&m_document, &Document::projectChanged, this, &PartList::showParts);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         showChosen();
         emit chosenChanged(chosen());
@@ -252,14 +256,14 @@ void PartList::connectControls() {
         change(tr("Change soft edge"), std::move(next), QStringLiteral("part feather %1").arg(chosen()));
     });
     connect(m_blend, &QComboBox::activated, this, &PartList::blend);
-    connect(&m_session, &ShapeSession::frameChanged, this, &PartList::takeFrame);
+    connect(&m_motion, &ShapeMotion::frameChanged, this, &PartList::takeFrame);
     connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
     connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
 }
 
 const std::vector<PicturePart>& PartList::parts() const {
     static const std::vector<PicturePart> none;
-    return m_session.document().isEmpty() ? none : m_session.document().domain().parts;
+    return m_document.isEmpty() ? none : m_document.domain().parts;
 }
 
 int PartList::chosen() const {
@@ -268,9 +272,9 @@ int PartList::chosen() const {
 }
 
 void PartList::change(const QString& step, std::vector<PicturePart> next, const QString& key) {
-    Domain domain = m_session.document().domain();
+    Domain domain = m_document.domain();
     domain.parts = std::move(next);
-    m_session.document().changeDomain(step, std::move(domain), key);
+    m_document.changeDomain(step, std::move(domain), key);
 }
 
 void PartList::showParts() {
@@ -305,7 +309,7 @@ void PartList::takeFrame() {
 }
 
 std::shared_ptr<const Texture> PartList::texture() const {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_motion.frame<2>();
     return frame && frame->built ? frame->built->texture : nullptr;
 }
 
@@ -386,10 +390,10 @@ void PartList::takeItem(QListWidgetItem* item) {
             const bool isTaken = std::ranges::find(parts(), name, &PicturePart::name) != parts().end();
             if (name == part.name) return;
             if (name.empty() || isTaken) {
-                m_session.notify(tr("Another part has this name."));
+                m_document.notify(tr("Another part has this name."));
                 return showParts();
             }
-            Document& document = m_session.document();
+            Document& document = m_document;
             document.change(tr("Rename part"), withPartName(*document.project(), row, name));
         },
         Qt::QueuedConnection);
@@ -433,10 +437,10 @@ void PartList::join(const QString& to) {
     PicturePart& own = next[static_cast<std::size_t>(chosen())];
     own.joints.clear();
     if (m_joined->currentIndex() > 0) {
-        const auto frame = m_session.frame<2>();
+        const auto frame = m_motion.frame<2>();
         const auto place = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
         if (!place) {
-            m_session.notify(tr("These parts do not overlap at rest: there is no place for a joint."));
+            m_document.notify(tr("These parts do not overlap at rest: there is no place for a joint."));
             return showChosen();
         }
         own.joints.push_back({to.toStdString(), *place});

@@ -28,7 +28,7 @@ class PartList : public QWidget {
     Q_OBJECT
 
   public:
-    explicit PartList(ShapeSession& session, QWidget* parent = nullptr);
+    PartList(Document& document, ShapeMotion& motion, Playback& playback, QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
 
   signals:
@@ -59,7 +59,8 @@ class PartList : public QWidget {
     void join(const QString& to);
     void ride(const QString& on);
 
-    ShapeSession& m_session;
+    Document& m_document;
+    ShapeMotion& m_motion;
     QListWidget* m_list;
     QToolButton *m_forward, *m_backward, *m_lock;
     NumberBox *m_opacity, *m_feather;

@@ -70,7 +70,8 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
     connect(m_list, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         if (!m_session.selection().isEmpty()) emit menuWanted(m_list->viewport()->mapToGlobal(at));
     });
-    new CalmFollower(m_session, CalmFollower::Of::Pins, this, [this] { showPins(); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { showPins(); }, &m_session.gestures(), &ShapeGesture::pinsChanged);
     connect(&m_session.playback(), &Playback::timeChanged, this, &PinList::showPins);
     m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -151,7 +152,7 @@ std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
 
 /// The list does not change during a drag.
 void PinList::showPins() {
-    if (m_showing || m_session.isDragging()) return;
+    if (m_showing || m_session.motion().isDragging()) return;
     m_showing = true;
     std::vector<int> groups;
     std::vector<std::string> names;
@@ -221,7 +222,7 @@ void PinList::showRow(int handle) {
     if (item.isSelected() == selected) return;
     item.setSelected(selected);
     const bool folded = item.parent() && !item.parent()->isExpanded();
-    if (m_session.singleHandle() == handle && !folded) m_list->scrollToItem(&item);
+    if (m_session.selection().single() == handle && !folded) m_list->scrollToItem(&item);
 }
 
 /// Bold while something of it is selected, which may be folded away.
@@ -274,7 +275,7 @@ void PinList::rename(QTreeWidgetItem* item, int column) {
     if (isHeading(*item)) {
         const QString group = item->data(Name, kGroupRole).toString();
         later([this, group, name] {
-            if (!name.isEmpty()) renameGroup(m_session, group, name);
+            if (!name.isEmpty()) renameGroup(m_session.document(), m_session.pins(), group, name);
         });
     } else {
         const int handle = item->data(Name, kHandleRole).toInt();
@@ -294,7 +295,7 @@ void PinList::later(const std::function<void()>& change) {
 }
 
 void PinList::renamePin(int handle, const std::string& name) {
-    if (handle >= m_session.handleCount() || name.empty()) return;
+    if (handle >= m_session.pins().count() || name.empty()) return;
     Document& document = m_session.document();
     if (name != document.design().handles.at(static_cast<std::size_t>(handle)).name)
         renameHandle(document, tr("Rename"), handle, name);
@@ -308,7 +309,8 @@ bool PinList::takePress(const QMouseEvent& press) {
     std::vector<int> handles = handlesOf(*item);
     if (item->isSelected()) handles = m_session.selection().handles();
     const bool on = !item->data(index.column(), Qt::UserRole).toBool();
-    index.column() == Seen ? wend::setHidden(m_session, handles, on) : setLocked(m_session, handles, on);
+    index.column() == Seen ? wend::setHidden(m_session.document(), m_session.pins(), handles, on)
+                           : setLocked(m_session.document(), m_session.pins(), handles, on);
     return true;
 }
 

@@ -44,9 +44,12 @@ class ValueDelegate : public QItemDelegate {
 
 }  // namespace
 
-RegionList::RegionList(ShapeSession& session, Brush& brush, RegionsOf of, QWidget* parent)
+RegionList::RegionList(Document& document, Selection& selection, ShapeMotion& motion, Brush& brush,
+                       RegionsOf of, QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_document(document),
+      m_selection(selection),
+      m_motion(motion),
       m_brush(brush),
       m_of(of),
       m_none(secondLabel(
@@ -108,10 +111,10 @@ void RegionList::makeAddMenu() {
     auto* menu = new QMenu(m_add);
     const auto entry = [&](const QString& text, auto shapeOf) {
         return menu->addAction(text, this, [this, shapeOf] {
-            if (m_session.frame<3>()) addRegion(shapeOf());
+            if (m_motion.frame<3>()) addRegion(shapeOf());
         });
     };
-    const auto reach = [this] { return kReach * m_session.frame()->diagonal; };
+    const auto reach = [this] { return kReach * m_motion.frame()->diagonal; };
     entry(tr("Ball"), [=, this] { return Ball<3>{middle(), reach()}; });
     entry(tr("Box"), [=, this] { return Box<3>{middle().array() - reach(), middle().array() + reach()}; });
     entry(tr("Half-space"), [=, this] { return HalfSpace<3>{middle(), Vec3::UnitX()}; });
@@ -135,8 +138,8 @@ void RegionList::arrange() {
 }
 
 void RegionList::connectControls() {
-    connect(&m_session.document(), &Document::projectChanged, this, &RegionList::showLayers);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &RegionList::allowSelected);
+    connect(&m_document, &Document::projectChanged, this, &RegionList::showLayers);
+    connect(&m_selection, &Selection::changed, this, &RegionList::allowSelected);
     connect(m_list, &QListWidget::currentRowChanged, this, &RegionList::showChosen);
     connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
     connect(m_value, &QDoubleSpinBox::valueChanged, this, [this] {
@@ -155,7 +158,7 @@ void RegionList::connectControls() {
 }
 
 void RegionList::change(const QString& step, ValueLayers layers, const QString& key) {
-    Document& document = m_session.document();
+    Document& document = m_document;
     isDetail() ? document.changeSizes(step, std::move(layers), key)
                : document.changeDepth(step, std::move(layers), key);
 }
@@ -178,8 +181,8 @@ void RegionList::addRegion(const Region<3>& shape) {
 
 /// Returns the region that the single selected handle holds; null if it holds none.
 const Region<3>* RegionList::selectedRegion() const {
-    const int handle = m_session.singleHandle();
-    return handle < 0 ? nullptr : std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
+    const int handle = m_selection.single();
+    return handle < 0 ? nullptr : std::get_if<Region<3>>(&m_document.design().handles[handle].at);
 }
 
 void RegionList::allowSelected() {
@@ -189,7 +192,7 @@ void RegionList::allowSelected() {
 
 const ValueLayers& RegionList::layers() const {
     static const ValueLayers none;
-    const Document& document = m_session.document();
+    const Document& document = m_document;
     if (document.isEmpty()) return none;
     return isDetail() ? document.domain().sizes : document.depth();
 }
@@ -204,7 +207,7 @@ const ValueLayer* RegionList::layer() const {
 }
 
 Vec3 RegionList::middle() const {
-    const Points<3>& rest = m_session.frame<3>()->rest->points;
+    const Points<3>& rest = m_motion.frame<3>()->rest->points;
     return (rest.rowwise().minCoeff() + rest.rowwise().maxCoeff()) / 2;
 }
 
@@ -257,7 +260,7 @@ void RegionList::showLayers() {
 void RegionList::showNotes() {
     QStringList notes;
     if (isDetail() && isSolid()) {
-        const Domain& domain = m_session.document().domain();
+        const Domain& domain = m_document.domain();
         if (!domain.sizesFile.empty())
             notes << tr("Beneath them: the factors in %1.")
                          .arg(QFileInfo(QString::fromStdString(domain.sizesFile)).fileName());
@@ -281,7 +284,7 @@ void RegionList::showChosen() {
     m_shape->setVisible(hasNumbers);
     if (hasNumbers) {
         const QSignalBlocker quiet(m_feather);
-        m_numbers->showRegion(one->shape, m_session.frame() ? m_session.frame()->diagonal : 1);
+        m_numbers->showRegion(one->shape, m_motion.frame() ? m_motion.frame()->diagonal : 1);
         m_feather->setValue(one->feather);
     }
     tellChosen();
@@ -300,7 +303,7 @@ void RegionList::rename(QListWidgetItem* item) {
             if (isDetail())
                 change(tr("Rename region"), withLayerName(layers(), id, wish));
             else
-                renameDepth(m_session.document(), tr("Rename region"), id, wish);
+                renameDepth(m_document, tr("Rename region"), id, wish);
         },
         Qt::QueuedConnection);
 }

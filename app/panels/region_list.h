@@ -4,7 +4,8 @@
 
 #include "app/project/layer.h"
 #include "app/session/brush.h"
-#include "app/session/shape_session.h"
+#include "app/session/selection.h"
+#include "app/session/shape_motion.h"
 
 class QLabel;
 class QListWidget;
@@ -26,7 +27,8 @@ class RegionList : public QWidget {
     Q_OBJECT
 
   public:
-    RegionList(ShapeSession& session, Brush& brush, RegionsOf of, QWidget* parent = nullptr);
+    RegionList(Document& document, Selection& selection, ShapeMotion& motion, Brush& brush, RegionsOf of,
+               QWidget* parent = nullptr);
     QListWidget* list() const { return m_list; }
 
   signals:
@@ -39,7 +41,7 @@ class RegionList : public QWidget {
 
   private:
     bool isDetail() const { return m_of == RegionsOf::Detail; }
-    bool isSolid() const { return m_session.document().dimension() == 3; }
+    bool isSolid() const { return m_document.dimension() == 3; }
     void makeControls();
     void makeAddMenu();
     void arrange();
@@ -61,7 +63,9 @@ class RegionList : public QWidget {
     void allowSelected();
     Vec3 middle() const;
 
-    ShapeSession& m_session;
+    Document& m_document;
+    Selection& m_selection;
+    ShapeMotion& m_motion;
     Brush& m_brush;
     const RegionsOf m_of;
     QLabel* m_none;

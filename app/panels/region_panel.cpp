@@ -40,16 +40,19 @@ RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
     connect(m_numbers, &RegionNumbers::changed, this, &RegionPanel::apply);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &RegionPanel::applyRadius);
     connect(m_holdsAngle, &QCheckBox::clicked, this, [this](bool holds) {
-        if (m_session.singleHandle() >= 0) setHoldsAngle(m_session, m_session.singleHandle(), holds);
+        if (m_session.selection().single() >= 0)
+            setHoldsAngle(m_session, m_session.selection().single(), holds);
         showHandle();
     });
-    new CalmFollower(m_session, CalmFollower::Of::Pins, this, [this] { showHandle(); });
-    connect(&m_session, &ShapeSession::frameChanged, this, &RegionPanel::takeFrame);
+    new CalmFollower(
+        m_session.motion(), this, [this] { showHandle(); }, &m_session.gestures(),
+        &ShapeGesture::pinsChanged);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &RegionPanel::takeFrame);
     showHandle();
 }
 
 std::optional<Region<3>> RegionPanel::region() const {
-    const int handle = m_session.singleHandle();
+    const int handle = m_session.selection().single();
     if (handle < 0) return {};
     const auto* own = std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
     return own ? std::optional(*own) : std::nullopt;
@@ -60,12 +63,12 @@ std::optional<double> RegionPanel::radius() const {
     const auto now = region();
     const auto* ball = now ? std::get_if<Ball<3>>(&*now) : nullptr;
     if (ball) return ball->radius;
-    return holdsPoint(m_session, m_session.singleHandle()) ? std::optional(0.0) : std::nullopt;
+    return holdsPoint(m_session, m_session.selection().single()) ? std::optional(0.0) : std::nullopt;
 }
 
 /// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
-    const FramePtr frame = m_session.frame();
+    const FramePtr frame = m_session.motion().frame();
     const auto now = region();
     if (!now || !frame || next == *now) return;
     if (frame->verticesInside(next).empty()) {
@@ -80,7 +83,7 @@ void RegionPanel::apply(const Region<3>& next) {
 
 /// Emits a notice and rejects a radius that is too small to contain a vertex.
 void RegionPanel::applyRadius() {
-    const int handle = m_session.singleHandle();
+    const int handle = m_session.selection().single();
     if (radius() &&
         !widenPin(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
         showHandle();
@@ -88,12 +91,12 @@ void RegionPanel::applyRadius() {
 
 /// Updates after a change of the shape; poses change nothing here.
 void RegionPanel::takeFrame() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_session.motion().frame();
     if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
 }
 
 void RegionPanel::showHandle() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_session.motion().frame();
     m_mesh = frame ? frame->shape : nullptr;
     const auto now = region();
     const bool hasNumbers = isSolid() && now && RegionNumbers::canShow(*now);
@@ -101,7 +104,7 @@ void RegionPanel::showHandle() {
     setVisible(frame && (hasNumbers || wide));
     m_numbers->setVisible(hasNumbers);
     m_radiusRow->setVisible(wide.has_value());
-    m_count->setVisible(!holdsPoint(m_session, m_session.singleHandle()));
+    m_count->setVisible(!holdsPoint(m_session, m_session.selection().single()));
     m_holdsAngle->setVisible(!isSolid() && wide);
     m_holdsAngle->setChecked(wide && *wide > 0);
     if (!frame) return;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 namespace wend {
 
@@ -12,20 +12,18 @@ constexpr int kPause = 100;  // milliseconds
 
 }  // namespace
 
-CalmFollower::CalmFollower(ShapeSession& session, Of what, QObject* parent, std::function<void()> show)
-    : QObject(parent), m_session(session), m_show(std::move(show)) {
+CalmFollower::CalmFollower(const ShapeMotion& motion, QObject* parent, std::function<void()> show)
+    : QObject(parent), m_motion(motion), m_show(std::move(show)) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
     connect(&m_pause, &QTimer::timeout, this, &CalmFollower::takeLate);
-    if (what != Of::Frames) connect(&session, &ShapeSession::pinsChanged, this, &CalmFollower::take);
-    if (what != Of::Pins) connect(&session, &ShapeSession::frameChanged, this, &CalmFollower::take);
 }
 
 void CalmFollower::take() {
-    m_isLate = m_session.isDragging() && m_pause.isActive();
+    m_isLate = m_motion.isDragging() && m_pause.isActive();
     if (m_isLate) return;
     m_pause.stop();
-    if (m_session.isDragging()) m_pause.start();
+    if (m_motion.isDragging()) m_pause.start();
     m_show();
 }
 

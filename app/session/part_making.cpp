@@ -170,7 +170,7 @@ std::string nameNow(const std::string& name, const std::vector<PicturePart>& par
 std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string& wholeName) {
     const Document& document = session.document();
     if (document.domain().parts.empty()) return {{wholeName, Sheet{document.picture()}}};
-    const auto frame = session.frame<2>();
+    const auto frame = session.motion().frame<2>();
     if (!frame || !frame->built || !frame->built->texture) return {};
     const Texture& texture = *frame->built->texture;
     const std::vector<PicturePart>& parts = document.domain().parts;
@@ -210,14 +210,14 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     const std::string whole =
         QFileInfo(QString::fromStdString(domainOf(before).path)).completeBaseName().toStdString();
     const std::vector<NamedSheet> sheets = sheetsOf(session, whole);
-    if (sheets.empty() && session.isMeshing())
-        return session.notify(
+    if (sheets.empty() && session.motion().isMeshing())
+        return session.document().notify(
             words(QT_TRANSLATE_NOOP("PartMaking",
                                     "The parts are still being made. Another one can be made as soon as "
                                     "they are there.")));
     const NamedSheet* below = sheetBelow(area, sheets);
     if (!below)
-        return session.notify(
+        return session.document().notify(
             std::ranges::any_of(domainOf(before).parts, &PicturePart::locked)
                 ? words(QT_TRANSLATE_NOOP("PartMaking",
                                           "In this area is nothing but what is locked, if "
@@ -236,13 +236,14 @@ void make(ShapeSession& session, const Outline& area, const Project& before) {
     session.selection().clear();
     document.change(words(QT_TRANSLATE_NOOP("PartMaking", "Make a part")), withNewPart(before, made));
     const QString name = QString::fromStdString(made.name);
-    session.notify((seam ? words(QT_TRANSLATE_NOOP("PartMaking",
-                                                   "“%1” is a part now, joined to “%2” where it hangs on "
-                                                   "it. What is behind it is being filled."))
-                         : words(QT_TRANSLATE_NOOP("PartMaking",
-                                                   "“%1” is a part now, cut from “%2”. What is behind it "
-                                                   "is being filled. Pin it, or join it under Parts.")))
-                       .arg(name, QString::fromStdString(made.from)));
+    session.document().notify(
+        (seam ? words(QT_TRANSLATE_NOOP("PartMaking",
+                                        "“%1” is a part now, joined to “%2” where it hangs on "
+                                        "it. What is behind it is being filled."))
+              : words(QT_TRANSLATE_NOOP("PartMaking",
+                                        "“%1” is a part now, cut from “%2”. What is behind it "
+                                        "is being filled. Pin it, or join it under Parts.")))
+            .arg(name, QString::fromStdString(made.from)));
 }
 
 constexpr std::size_t kMostIslands = 24;  // more are noise
@@ -257,7 +258,7 @@ class HeldPieces {
             for (const int v : cell) m_sets.join(cell[0], v);
         for (const Weld& weld : rest.welds)
             for (const auto& [v, weight] : weld.terms) m_sets.join(weld.terms.front().first, v);
-        for (const auto& pins : {session.pins(true), session.ghosts()})
+        for (const auto& pins : {session.gestures().pins(true), session.gestures().ghosts()})
             for (const PinView& pin : pins)
                 for (const Place& place : pin.places) m_held.insert(rootOfCell(place.cell));
     }
@@ -407,7 +408,7 @@ bool makePartOfOutline(ShapeSession& session) {
 }
 
 std::vector<StrayPart> strayParts(const ShapeSession& session) {
-    const auto frame = session.frame<2>();
+    const auto frame = session.motion().frame<2>();
     const Document& document = session.document();
     if (!frame || document.isEmpty() || document.domain().kind != DomainKind::Image) return {};
     HeldPieces pieces(session, *frame->rest);

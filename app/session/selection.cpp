@@ -24,6 +24,11 @@ std::vector<int> Selection::handles() const {
     return handles;
 }
 
+int Selection::single() const {
+    const std::vector<int> selected = handles();
+    return selected.size() == 1 ? selected.front() : -1;
+}
+
 bool Selection::contains(int handle) const {
     const std::vector<Pin>& pins = pinsOf(m_document);
     return handle >= 0 && handle < std::ssize(pins) && std::ranges::binary_search(m_ids, pins[handle].id);

@@ -19,6 +19,8 @@ class Selection : public QObject {
 
     /// Returns the places of the selected pins in increasing order.
     std::vector<int> handles() const;
+    /// Returns the pin if one alone is selected, else −1.
+    int single() const;
     bool isEmpty() const { return m_ids.empty(); }
     bool contains(int handle) const;
     /// Selects the pins at these places; there is none at others.

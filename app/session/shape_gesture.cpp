@@ -51,14 +51,16 @@ ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playb
     m_waits.setInterval(kLongestWait);
     connect(&m_waits, &QTimer::timeout, this, &ShapeGesture::lead);
     connect(&m_motion, &ShapeMotion::liveReady, this, &ShapeGesture::follow);
-    connect(&m_motion, &ShapeMotion::failing, this, &ShapeGesture::cancel);
+    connect(&m_motion, &ShapeMotion::dragMustEnd, this, &ShapeGesture::cancel);
+    connect(&m_selection, &Selection::changed, this, &ShapeGesture::pinsChanged);
 }
 
 double ShapeGesture::time() const {
     return m_drag ? m_from : m_playback.time();
 }
 
-std::vector<PinView> ShapeGesture::carriedAlong(std::vector<PinView> views) const {
+std::vector<PinView> ShapeGesture::pins(bool all) const {
+    std::vector<PinView> views = m_pins.at(time(), true, all);
     if (!m_drag) return views;
     const Amount amount = m_drag->amount();
     for (const PinView& start : m_grabbed)
@@ -77,14 +79,14 @@ std::vector<int> ShapeGesture::unlocked(std::vector<int> handles) {
         if (m_pins.isLocked(h)) locked.push_back(h);
     const bool isOwn = locked.size() == 1 && traitsOf(m_document.design(), locked.front()).locked;
     if (locked.size() == 1 && !isOwn)
-        emit notice(ShapeSession::tr("%1 is in a part that is locked. The list of parts unlocks it.")
-                        .arg(m_pins.nameOf(locked)));
+        m_document.notify(ShapeSession::tr("%1 is in a part that is locked. The list of parts unlocks it.")
+                              .arg(m_pins.nameOf(locked)));
     else if (isOwn)
-        emit notice(ShapeSession::tr("%1 is locked. A right-click or the list of pins unlocks it.")
-                        .arg(m_pins.nameOf(locked)));
+        m_document.notify(ShapeSession::tr("%1 is locked. A right-click or the list of pins unlocks it.")
+                              .arg(m_pins.nameOf(locked)));
     else if (!locked.empty())
-        emit notice(ShapeSession::tr("%1 are locked. A right-click or the list of pins unlocks them.")
-                        .arg(m_pins.nameOf(locked)));
+        m_document.notify(ShapeSession::tr("%1 are locked. A right-click or the list of pins unlocks them.")
+                              .arg(m_pins.nameOf(locked)));
     std::erase_if(handles, [&](int h) { return m_pins.isLocked(h); });
     return handles;
 }
@@ -101,8 +103,8 @@ std::vector<int> ShapeGesture::movableHandles() {
     };
     keepHolding();
     if (handles.empty()) {
-        emit notice(ShapeSession::tr("%1 does not hold the shape at the time shown.")
-                        .arg(m_pins.nameOf(m_selection.handles())));
+        m_document.notify(ShapeSession::tr("%1 does not hold the shape at the time shown.")
+                              .arg(m_pins.nameOf(m_selection.handles())));
         return {};
     }
     handles = withLinked(m_document.design(), handles);
@@ -122,7 +124,7 @@ void ShapeGesture::begin(const Grip& grip, bool records) {
     const auto handles = movableHandles();
     if (handles.empty()) return;
     if (m_motion.isMeshing() && lacksPart(m_document, m_motion.frame())) {
-        emit notice(
+        m_document.notify(
             ShapeSession::tr("A part is still being made. Pins can be dragged as soon as it is there."));
         return;
     }
@@ -177,8 +179,8 @@ void ShapeGesture::follow(const FramePtr& frame) {
     m_drag->follow(*frame);
     m_motion.showLive(frame);
     if (m_drag && frame->stopped && !wasStopped)  // a slot of frameChanged() may have ended the drag
-        emit notice(ShapeSession::tr("%1 cannot go further: %2")
-                        .arg(m_pins.nameOf(m_drag->handles()), said(frame->message)));
+        m_document.notify(ShapeSession::tr("%1 cannot go further: %2")
+                              .arg(m_pins.nameOf(m_drag->handles()), said(frame->message)));
 }
 
 void ShapeGesture::end(double tolerance) {
@@ -320,7 +322,8 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
                                                "time, and they move together.");
     tellReplaced(before, endsAll ? std::vector<int>() : drag.handles(), from, next);
     if (lengthens)
-        emit notice(ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
+        m_document.notify(
+            ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
 }
 
 /// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a
@@ -333,7 +336,7 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& sta
         if (const auto next = withLastMoveCorrected(project, gesture)) {
             m_document.change(step, *next);
             m_added.second = m_document.project();
-            emit notice(
+            m_document.notify(
                 ShapeSession::tr("The last move goes straight there now. Motion ▸ Keep the Path leads "
                                  "pins on instead."));
             return true;
@@ -349,11 +352,11 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& sta
     if (appends) m_added = {gesture.handles, m_document.project()};
     m_playback.setTime(appends ? m_playback.end() : gesture.from);
     if (appends)
-        emit notice(ShapeSession::tr(
+        m_document.notify(ShapeSession::tr(
             "The film is longer by a second. At an earlier time a drag sets the pose there."));
     else
-        emit notice(ShapeSession::tr("Posed at %1 s: what comes before and after stays.")
-                        .arg(gesture.from * Playback::kSecondsPerUnit, 0, 'f', 2));
+        m_document.notify(ShapeSession::tr("Posed at %1 s: what comes before and after stays.")
+                              .arg(gesture.from * Playback::kSecondsPerUnit, 0, 'f', 2));
     return true;
 }
 
@@ -364,12 +367,12 @@ void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vecto
     for (int h = 0; h < static_cast<int>(before.size()); ++h)
         if (own.empty() || std::count(own.begin(), own.end(), h)) replaced.handles.push_back(before[h]);
     if (!movesAfter(replaced, from)) {
-        if (!otherwise.isEmpty()) emit notice(otherwise);
+        if (!otherwise.isEmpty()) m_document.notify(otherwise);
     } else if (own.empty()) {
-        emit notice(ShapeSession::tr("This replaces what came after; Undo brings it back."));
+        m_document.notify(ShapeSession::tr("This replaces what came after; Undo brings it back."));
     } else {
-        emit notice(ShapeSession::tr("This replaces what %1 did later; Undo brings it back.")
-                        .arg(m_pins.nameOf(own)));
+        m_document.notify(ShapeSession::tr("This replaces what %1 did later; Undo brings it back.")
+                              .arg(m_pins.nameOf(own)));
     }
 }
 

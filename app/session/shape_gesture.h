@@ -21,8 +21,7 @@ class ShapeMotion;
 class ShownPins;
 
 /// Moves the selected handles and those linked with them: by a drag, or at once by numbers. A gesture changes
-/// the document once, at its end. Lives in the window's thread. ShapeSession, which forwards to it, documents
-/// the functions that tools call.
+/// the document once, at its end. Lives in the window's thread.
 class ShapeGesture : public QObject {
     Q_OBJECT
 
@@ -34,10 +33,17 @@ class ShapeGesture : public QObject {
     const DragGesture* drag() const { return m_drag ? &*m_drag : nullptr; }
     /// Returns the time at which handles are shown: that of the drag's start, or the shown time.
     double time() const;
-    /// Returns the pins with dragged ones at the pointer: they follow at once, the shape later.
-    std::vector<PinView> carriedAlong(std::vector<PinView> views) const;
-    /// Returns the handles that are not locked, and emits a notice about locked ones.
+    /// Returns the handles that hold at that time. Dragged ones are where the pointer has them: they follow
+    /// at once, the shape later. Hidden ones are among them only if `all`.
+    std::vector<PinView> pins(bool all = false) const;
+    /// The handles that do not hold at that time: where they would be. None that is hidden.
+    std::vector<PinView> ghosts() const { return m_pins.at(time(), false, false); }
+    /// Announces that handles may have come, gone or moved.
+    void tellPins() { emit pinsChanged(); }
+    /// Returns the handles that are not locked, and shows a notice about locked ones.
     std::vector<int> unlocked(std::vector<int> handles);
+    /// Returns false and shows a notice if the handle is locked.
+    bool mayChange(int handle) { return !unlocked({handle}).empty(); }
 
     /// Makes every following drag record.
     void setRecording(bool records) { m_records = records; }
@@ -47,7 +53,7 @@ class ShapeGesture : public QObject {
     /// Decides what a drag does that directly follows one of the same pins at the end of the film: it leads
     /// them on, or else it replaces that move by a straight one to the new place.
     void setKeepsWay(bool keeps) { m_keepsWay = keeps; }
-    /// Begins a drag of the selected and linked handles that act at the shown time and are not locked; emits
+    /// Begins a drag of the selected and linked handles that act at the shown time and are not locked; shows
     /// a notice if there are none. The gesture replaces the later motion. If it `records`, it keeps the times
     /// of its samples and replaces only the later motion of its own handles.
     void begin(const Grip& grip = {}, bool records = false);
@@ -78,7 +84,6 @@ class ShapeGesture : public QObject {
     void ended();
     void cancelled();
     void pinsChanged();
-    void notice(QString text);
 
   private:
     std::vector<int> movableHandles();

@@ -113,9 +113,9 @@ void ShapeMotion::takeFinished(double time, const QString& problem, const QStrin
     m_complete = m_document.project();
     m_completeAt = m_document.undoStack()->index();
     if (!problem.isEmpty())
-        emit notice(ShapeSession::tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
+        m_document.notify(ShapeSession::tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
     else if (!remark.isEmpty())
-        emit notice(remark.left(1).toUpper() + remark.mid(1) + QLatin1Char('.'));
+        m_document.notify(remark.left(1).toUpper() + remark.mid(1) + QLatin1Char('.'));
     m_preview.reset();
     m_previewBefore.reset();
     setBusy(false);
@@ -127,7 +127,7 @@ void ShapeMotion::takeFailure(int revision, const QString& reason, ComputeFailur
     if (revision != m_revision) return;  // result of an outdated request
     m_failed = true;
     m_lacksMemory = failure == ComputeFailure::Memory;
-    emit failing();
+    emit dragMustEnd();
     m_preview.reset();
     if (failure == ComputeFailure::Shapeless) {
         dropShape();
@@ -138,9 +138,11 @@ void ShapeMotion::takeFailure(int revision, const QString& reason, ComputeFailur
 }
 
 void ShapeMotion::cancelWork() {
+    if (!m_busy) return;
+    emit dragMustEnd();
     if (m_complete && m_complete != m_document.project()) {
         goBack();
-        emit notice(ShapeSession::tr("Cancelled: everything is as it was before the last change."));
+        m_document.notify(ShapeSession::tr("Cancelled: everything is as it was before the last change."));
         return;
     }
     const bool meshing = isMeshing();
@@ -152,7 +154,7 @@ void ShapeMotion::cancelWork() {
     m_failed = meshing;
     const QString motion = ShapeSession::tr("The motion was cancelled. Any change computes it again.");
     if (!meshing)
-        emit notice(motion);
+        m_document.notify(motion);
     else if (m_shape)  // as a rule its mesh serves again
         emit problem(motion);
     else

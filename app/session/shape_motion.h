@@ -18,7 +18,6 @@ class Selection;
 /// owns the compute thread: requests are posted to it, frames return as queued signals. Every request for a
 /// shape has a number, its revision, and every drag has one, too. The track follows every shape of the file,
 /// including outdated ones, because the thread reports the validity of frames from one shape to the next.
-/// ShapeSession, which forwards to it, documents the functions that views call.
 class ShapeMotion : public QObject {
     Q_OBJECT
 
@@ -26,15 +25,32 @@ class ShapeMotion : public QObject {
     ShapeMotion(Document& document, const Selection& selection, Playback& playback);
     ~ShapeMotion() override;
 
+    /// Returns the document whose shape it moves.
+    const Document& document() const { return m_document; }
     const FrameTrack& track() const { return m_track; }
+    /// Returns the frame to show: that of the drag or of the shown time; null before the first mesh. It
+    /// always belongs to the current document.
     FramePtr frame() const {
         return m_frame && m_frame->generation == m_document.generation() ? m_frame : FramePtr();
     }
+    /// The same with its shape; null if that has another dimension.
+    template <int Dim>
+    PosedPtr<Dim> frame() const {
+        return posed<Dim>(frame());
+    }
+    /// Returns true while the frame does not show the document's state yet.
     bool isStale() const { return m_stale; }
+    /// Returns true if the project cannot be computed: an older shape is shown.
     bool hasFailed() const { return m_failed; }
+    /// Returns whether memory is lacking for that.
     bool lacksMemory() const { return m_failed && m_lacksMemory; }
+    /// Returns true while something is being computed.
     bool isBusy() const { return m_busy; }
+    /// Returns true while the shape or its material is being made, rather than its motion.
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
+    bool isDragging() const { return m_dragging; }
+    /// The length in domain units that a tolerance of the stroke is measured in: one pixel of a picture, or a
+    /// 2000th of the shape's diagonal.
     double pixel() const;
     /// Returns the start time of gestures and new pins: the shown time, or 0 before anything moves.
     double gestureTime() const;
@@ -43,6 +59,8 @@ class ShapeMotion : public QObject {
     void compute();
     /// Keeps the shown frame from becoming stale during a change that moves nothing.
     void setChangeMovesNothing(bool nothing) { m_changeMovesNothing = nothing; }
+    /// Cancels the computation and restores the last state with a complete motion (redo tries again). Without
+    /// one, the document stays, with as much motion as was computed.
     void cancelWork();
     /// Forgets everything for another file; signals are emitted by tellDropped() only.
     void drop();
@@ -60,21 +78,29 @@ class ShapeMotion : public QObject {
     void dropPreview() { m_preview.reset(); }
 
     enum class FieldKind { None, Velocity, Influence };
+    /// Sets the field that is solved for at the shown time, except during playback; `frameChanged` reports
+    /// its arrival.
     void setFieldWanted(FieldKind wanted);
     bool hasVelocity() const { return answers(FieldKind::Velocity); }
+    /// Returns the velocities at the shown time: v̂ once it is solved, until then the difference of the
+    /// neighbouring frames.
     Eigen::MatrixXd velocity() const;
+    /// Returns the influence of the selected handles on each vertex in the first row; no columns while it is
+    /// unknown, or if nothing is selected.
     Eigen::MatrixXd influence() const;
     void takeSelection();
 
   signals:
     void frameChanged();
     void liveReady(const wend::FramePtr& frame);
-    /// Emitted when the project cannot be computed, which must end a drag.
-    void failing();
+    /// Emitted when a drag must end: the project cannot be computed, or its computation is cancelled.
+    void dragMustEnd();
     void busyChanged(bool busy);
+    /// Emitted with the time up to which the motion is computed.
     void progress(double time, double end);
+    /// Emitted with the approximate time that the current step has reached.
     void within(double time, double end);
-    void notice(QString text);
+    /// Emitted if the project cannot be computed; an empty text withdraws the problem.
     void problem(QString text);
 
   private:

@@ -9,16 +9,7 @@ namespace wend {
 ShapeSession::ShapeSession(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::projectChanged, this, &ShapeSession::takeProject);
     connect(&m_document, &Document::opened, this, &ShapeSession::reset);
-    connect(&m_selection, &Selection::changed, this, &ShapeSession::pinsChanged);
     connect(&m_selection, &Selection::changed, &m_motion, &ShapeMotion::takeSelection);
-    connect(&m_motion, &ShapeMotion::frameChanged, this, &ShapeSession::frameChanged);
-    connect(&m_motion, &ShapeMotion::busyChanged, this, &ShapeSession::busyChanged);
-    connect(&m_motion, &ShapeMotion::progress, this, &ShapeSession::progress);
-    connect(&m_motion, &ShapeMotion::within, this, &ShapeSession::within);
-    connect(&m_motion, &ShapeMotion::notice, this, &ShapeSession::notice);
-    connect(&m_motion, &ShapeMotion::problem, this, &ShapeSession::problem);
-    connect(&m_gesture, &ShapeGesture::pinsChanged, this, &ShapeSession::pinsChanged);
-    connect(&m_gesture, &ShapeGesture::notice, this, &ShapeSession::notice);
 }
 
 /// Resets all state of the last file before any signal is emitted, so that no observer sees the old shape,
@@ -31,7 +22,7 @@ void ShapeSession::reset() {
     m_playback.setPlaying(false);
     m_playback.setEnd(0);
     m_motion.tellDropped();
-    emit pinsChanged();
+    m_gesture.tellPins();
 }
 
 void ShapeSession::takeProject() {
@@ -39,34 +30,23 @@ void ShapeSession::takeProject() {
     m_gesture.cancel();  // undo during the drag: its handles may no longer exist
     m_selection.prune();
     m_motion.compute();
-    emit pinsChanged();
-}
-
-void ShapeSession::cancelWork() {
-    if (!isBusy()) return;
-    m_gesture.cancel();
-    m_motion.cancelWork();
-}
-
-int ShapeSession::singleHandle() const {
-    const std::vector<int> selected = m_selection.handles();
-    return selected.size() == 1 ? selected.front() : -1;
+    m_gesture.tellPins();
 }
 
 int ShapeSession::addPin(const Vec3& p) {
-    return frame() ? addPin(frame()->find(p)) : -1;
+    return m_motion.frame() ? addPin(m_motion.frame()->find(p)) : -1;
 }
 
 int ShapeSession::addPin(const std::optional<Place>& place) {
-    const FramePtr shape = frame();
-    if (!place) emit notice(tr("No pin was set: this place lies outside the shape."));
+    const FramePtr shape = m_motion.frame();
+    if (!place) m_document.notify(tr("No pin was set: this place lies outside the shape."));
     if (!place || !shape) return -1;
     return addHandle(std::vector<Vec3>{shape->restAt(*place)}, tr("Pin").toStdString(),
                      shape->partOf(place->cell));
 }
 
 int ShapeSession::addHandle(Placement<3> at, const std::string& kind, const std::string& part) {
-    if (!frame()) return -1;
+    if (!m_motion.frame()) return -1;
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_playback.setTime(time);  // that of the picture that is shown
@@ -75,23 +55,23 @@ int ShapeSession::addHandle(Placement<3> at, const std::string& kind, const std:
     m_document.changeDesign(tr("Add %1").arg(QString::fromStdString(name)),
                             withHandle(m_document.design(), std::move(at), name, time, part));
     m_motion.setChangeMovesNothing(false);
-    const int handle = handleCount() - 1;
+    const int handle = m_pins.count() - 1;
     m_selection.set({handle});
-    emit notice({});  // clears the error about the previous place
+    m_document.notify({});  // clears the error about the previous place
     return handle;
 }
 
 void ShapeSession::changeHandle(int handle, Placement<3> at) {
-    if (!mayChange(handle)) return;
-    m_document.changeDesign(tr("Change %1").arg(nameOf({handle})),
+    if (!m_gesture.mayChange(handle)) return;
+    m_document.changeDesign(tr("Change %1").arg(m_pins.nameOf({handle})),
                             withHandlePlace(m_document.design(), handle, std::move(at)));
 }
 
 void ShapeSession::removeSelected() {
-    if (m_selection.isEmpty() || isDragging()) return;
+    if (m_selection.isEmpty() || m_motion.isDragging()) return;
     const auto handles = m_gesture.unlocked(m_selection.handles());
     if (handles.empty()) return;
-    const QString name = tr("Remove %1").arg(nameOf(handles));
+    const QString name = tr("Remove %1").arg(m_pins.nameOf(handles));
     m_playback.setPlaying(false);
     const double time = m_motion.gestureTime();
     m_selection.clear();

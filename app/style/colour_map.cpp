@@ -105,15 +105,15 @@ double sizeOf(double value, Scale scale) {
 
 }  // namespace
 
-ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows) {
-    using Kind = ShapeSession::FieldKind;
+ShapeMotion::FieldKind wantedField(bool map, Measure measure, bool arrows) {
+    using Kind = ShapeMotion::FieldKind;
     if (map && measure == Measure::Influence) return Kind::Influence;
     return arrows || (map && measure == Measure::Speed) ? Kind::Velocity : Kind::None;
 }
 
-Eigen::MatrixXd fieldOf(const ShapeSession& session, Measure measure) {
-    if (measure == Measure::Speed) return session.velocity();
-    return measure == Measure::Influence ? session.influence() : Eigen::MatrixXd();
+Eigen::MatrixXd fieldOf(const ShapeMotion& motion, Measure measure) {
+    if (measure == Measure::Speed) return motion.velocity();
+    return measure == Measure::Influence ? motion.influence() : Eigen::MatrixXd();
 }
 
 bool isDistortion(Measure measure) {
@@ -127,15 +127,15 @@ std::vector<Measure> measuresOf(int dimension) {
     return all;
 }
 
-std::vector<double> shownValues(const ShapeSession& session, Measure measure) {
-    if (!session.frame()) return {};
-    return cellValues(*session.frame(), measure, fieldOf(session, measure));
+std::vector<double> shownValues(const ShapeMotion& motion, Measure measure) {
+    if (!motion.frame()) return {};
+    return cellValues(*motion.frame(), measure, fieldOf(motion, measure));
 }
 
-std::optional<double> plainValue(const ShapeSession& session, Measure measure) {
+std::optional<double> plainValue(const ShapeMotion& motion, Measure measure) {
     if (measure == Measure::Stiffness) return 1;
-    if (measure != Measure::Phi || session.document().isEmpty()) return {};
-    return session.document().design().material.phi;
+    if (measure != Measure::Phi || motion.document().isEmpty()) return {};
+    return motion.document().design().material.phi;
 }
 
 double paintedPart(double place, double plainPlace) {
@@ -176,11 +176,11 @@ void findBeyond(const std::vector<double>& values, MeasureRange& range) {
     range.above = std::ranges::any_of(values, [&](double value) { return value > range.high + rounding; });
 }
 
-std::vector<double> restValues(const ShapeSession& session, Measure measure) {
+std::vector<double> restValues(const ShapeMotion& motion, Measure measure) {
     const bool isQuality = measure == Measure::ScaledJacobian || measure == Measure::AspectRatio ||
                            measure == Measure::SmallestAngle;
-    if (!isQuality || !session.frame()) return {};
-    return cellValues(*atRest(session.frame()), measure);
+    if (!isQuality || !motion.frame()) return {};
+    return cellValues(*atRest(motion.frame()), measure);
 }
 
 double positionIn(const MeasureRange& range, Measure measure, double value) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/engine/measure.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 
 namespace wend {
 
@@ -29,14 +29,14 @@ struct MeasureRange {
     bool operator==(const MeasureRange&) const = default;
 };
 
-/// Returns the session's field that a measure needs: velocity, influence or none.
-Eigen::MatrixXd fieldOf(const ShapeSession& session, Measure measure);
+/// Returns the motion's field that a measure needs: velocity, influence or none.
+Eigen::MatrixXd fieldOf(const ShapeMotion& motion, Measure measure);
 /// Returns the field to solve for: that of the map if one is shown, otherwise that of arrows.
-ShapeSession::FieldKind wantedField(bool map, Measure measure, bool arrows);
+ShapeMotion::FieldKind wantedField(bool map, Measure measure, bool arrows);
 /// Returns the values of the shown frame.
-std::vector<double> shownValues(const ShapeSession& session, Measure measure);
+std::vector<double> shownValues(const ShapeMotion& motion, Measure measure);
 /// The value of the material where nothing is painted; nothing for other measures.
-std::optional<double> plainValue(const ShapeSession& session, Measure measure);
+std::optional<double> plainValue(const ShapeMotion& motion, Measure measure);
 /// Returns the opacity of paint at a position in the range: 0 at the plain value, up to 1.
 double paintedPart(double place, double plainPlace);
 /// Returns a range without the largest hundredth of the values, never empty. φ always has the same range.
@@ -46,7 +46,7 @@ bool leavesScale(Measure measure);
 /// Sets whether values lie beyond the ends.
 void findBeyond(const std::vector<double>& values, MeasureRange& range);
 /// Returns the values of a quality of cells at rest; none for other measures.
-std::vector<double> restValues(const ShapeSession& session, Measure measure);
+std::vector<double> restValues(const ShapeMotion& motion, Measure measure);
 /// Returns the position of a value in the range, in [0, 1]; area, stiffness and cell size are logarithmic,
 /// area with 1 in the middle; φ as on the energy slider.
 double positionIn(const MeasureRange& range, Measure measure, double value);

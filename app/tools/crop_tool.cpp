@@ -93,19 +93,19 @@ QCursor CropTool::cursor() const {
 }
 
 std::shared_ptr<const Image> CropTool::picture() const {
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     return frame ? frame->built->picture : nullptr;
 }
 
 /// A 2D mesh may have any placement in its picture.
 Vec<2> CropTool::toPixels(const QPointF& widget) const {
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     const Vec<2> at = view().toShape(widget);
     return frame && frame->built->texture ? Vec<2>(frame->built->texture->toPixels(at)) : at;
 }
 
 QPointF CropTool::toWidget(const Vec<2>& pixel) const {
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     if (!frame || !frame->built->texture) return view().toWidget(pixel);
     const PictureMap& map = frame->built->texture->toPixels;
     return view().toWidget(map.A.inverse() * (pixel - map.b));
@@ -161,7 +161,7 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
         if (m_grip.x != 0) b.x() += by.x();
         if (m_grip.y != 0) b.y() += by.y();
     }
-    if (const auto frame = session().frame<2>(); proportional && frame && frame->built->picture) {
+    if (const auto frame = session().motion().frame<2>(); proportional && frame && frame->built->picture) {
         const auto [wide, high] = canvasSize(*frame->built);
         const double aspect = static_cast<double>(high) / wide;
         const Vec<2> size = b - a;

@@ -29,9 +29,9 @@ void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool 
     });
 }
 
-void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at) {
-    if (!isRecording(session)) return;
-    const double seconds = session.gestures().drag()->seconds() * session.playback().speed();
+void paintRecording(QPainter& painter, const ShapeGesture& gestures, double speed, const QPointF& at) {
+    if (!isRecording(gestures)) return;
+    const double seconds = gestures.drag()->seconds() * speed;
     const QString text =
         QCoreApplication::translate("Recording", "%1 s").arg(QLocale().toString(seconds, 'f', 1));
     enlarged(painter, at, [&] {

@@ -3,7 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/session/shape_session.h"
+#include "app/session/shape_gesture.h"
 #include "app/style/marks.h"
 
 namespace wend {
@@ -27,11 +27,11 @@ inline double secondsOf(const QMouseEvent& event) {
 }
 
 /// Returns whether the current drag records.
-inline bool isRecording(const ShapeSession& session) {
-    return session.gestures().drag() && session.gestures().drag()->records();
+inline bool isRecording(const ShapeGesture& gestures) {
+    return gestures.drag() && gestures.drag()->records();
 }
-/// Draws a red dot with the duration of the recording, if there is one.
-void paintRecording(QPainter& painter, const ShapeSession& session, const QPointF& at);
+/// Draws a red dot with the duration of the recording at a speed of the playback, if there is one.
+void paintRecording(QPainter& painter, const ShapeGesture& gestures, double speed, const QPointF& at);
 /// Returns the hint during a recording.
 QString recordingHint();
 

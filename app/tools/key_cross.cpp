@@ -27,7 +27,7 @@ std::optional<QPointF> arrowOf(const QKeyEvent& key) {
 }
 
 bool KeyCross::take(const QKeyEvent& key, ShapeView& view, const std::function<void(const QPointF&)>& click) {
-    const FramePtr frame = view.session().frame();
+    const FramePtr frame = view.session().motion().frame();
     const auto by = arrowOf(key);
     const bool enters = m_at && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
     if (!frame || !(by || enters)) return false;

@@ -125,7 +125,7 @@ std::vector<Vec3> regionBorder(const Pin& handle, const PinView& view, const Sha
 
 void paintRegions(QPainter& painter, ShapeView& view, const std::vector<Region<3>>& regions,
                   const QPen& pen) {
-    const auto frame = view.session().frame<3>();
+    const auto frame = view.session().motion().frame<3>();
     if (!frame) return;
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);

@@ -17,7 +17,7 @@ class ShapeTool : public Tool {
     ShapeSession& session() const { return m_view.session(); }
     /// Returns the frame of a picture or solid; null if the document has another dimension.
     FramePtr frame() const {
-        const FramePtr shown = session().frame();
+        const FramePtr shown = session().motion().frame();
         return shown && shown->dimension == m_view.dimension() ? shown : FramePtr();
     }
 

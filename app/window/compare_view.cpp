@@ -39,15 +39,16 @@ QString nameOf(double phi, int dimension) {
 
 /// Returns the three totals in the order of the properties.
 QString totalsOf(const ShapeSession& session) {
-    if (!session.frame()) return CompareView::tr("is being computed …");
-    const Distortion& distortion = *session.frame()->distortion;
+    if (!session.motion().frame()) return CompareView::tr("is being computed …");
+    const Distortion& distortion = *session.motion().frame()->distortion;
     const QLocale locale;
-    const bool about = session.frame()->live || session.isStale();
+    const bool about = session.motion().frame()->live || session.motion().isStale();
     const auto text = [&](double value) {
         return (about ? QStringLiteral("≈ ") : QString()) + locale.toString(value, 'f', 3);
     };
-    const QString all = session.frame()->dimension == 3 ? CompareView::tr("angle %1 · volume %2 · stretch %3")
-                                                        : CompareView::tr("angle %1 · area %2 · stretch %3");
+    const QString all = session.motion().frame()->dimension == 3
+                            ? CompareView::tr("angle %1 · volume %2 · stretch %3")
+                            : CompareView::tr("angle %1 · area %2 · stretch %3");
     return all.arg(text(distortion.totalAngle), text(distortion.totalVolume), text(distortion.totalMetric));
 }
 
@@ -93,7 +94,8 @@ void Comparison::end() {
 }
 
 FramePtr Comparison::frame() const {
-    return m_on && !m_other.isStale() && !m_other.isMeshing() ? m_other.frame() : FramePtr();
+    return m_on && !m_other.motion().isStale() && !m_other.motion().isMeshing() ? m_other.motion().frame()
+                                                                                : FramePtr();
 }
 
 std::shared_ptr<const Project> Comparison::wanted() const {
@@ -207,8 +209,8 @@ void CompareView::connectViews() {
         if (m_picture->underMouse()) m_parts.picture.takeView(*m_picture);
     });
     m_picture->installEventFilter(this);
-    connect(&m_comparison.other(), &ShapeSession::frameChanged, this, &CompareView::takeFrame);
-    connect(&m_parts.session, &ShapeSession::frameChanged, this, &CompareView::showHeads);
+    connect(&m_comparison.other().motion(), &ShapeMotion::frameChanged, this, &CompareView::takeFrame);
+    connect(&m_parts.session.motion(), &ShapeMotion::frameChanged, this, &CompareView::showHeads);
     connect(&m_parts.session.document(), &Document::opened, this, &CompareView::join);
     connect(&m_parts.session.document(), &Document::projectChanged, this, [this] {
         if (m_split) showEnergies();
@@ -339,7 +341,8 @@ void CompareView::takeFrame() {
 /// Shows the shape itself until the other half has its own.
 void CompareView::showOtherHalf() {
     if (!m_split) return;
-    const FramePtr own = m_comparison.other().frame() ? FramePtr() : m_parts.session.frame();
+    const FramePtr own =
+        m_comparison.other().motion().frame() ? FramePtr() : m_parts.session.motion().frame();
     if (m_picture->isVisible()) {
         m_picture->viewport().set(&Looks::standIn, own);
         m_picture->takeView(m_parts.picture);
@@ -357,19 +360,20 @@ TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
     m_idle.setSingleShot(true);
     m_idle.setInterval(kIdle);
     connect(&m_idle, &QTimer::timeout, this, &TilePictures::begin);
-    connect(&m_session, &ShapeSession::frameChanged, this, &TilePictures::expire);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &TilePictures::expire);
     connect(&m_session.document(), &Document::opened, this, [this] {
         m_coarse.document().close();
         m_project.reset();
         m_tiles.setPictures({});
         expire();
     });
-    connect(&m_coarse, &ShapeSession::busyChanged, this, &TilePictures::take);
+    connect(&m_coarse.motion(), &ShapeMotion::busyChanged, this, &TilePictures::take);
 }
 
 /// There is no coarser mesh for a mesh from a file.
 bool TilePictures::isPossible() const {
-    if (m_session.document().isEmpty() || !m_session.frame() || m_session.playback().end() <= 0) return false;
+    if (m_session.document().isEmpty() || !m_session.motion().frame() || m_session.playback().end() <= 0)
+        return false;
     const DomainKind kind = m_session.document().domain().kind;
     return (kind == DomainKind::Image && m_session.document().picture()) ||
            (kind == DomainKind::Surface && m_solid());
@@ -389,7 +393,8 @@ void TilePictures::expire() {
 
 void TilePictures::begin() {
     if (!isPossible() || m_running) return;
-    const bool moves = m_session.isBusy() || m_session.isDragging() || m_session.playback().isPlaying();
+    const bool moves =
+        m_session.motion().isBusy() || m_session.motion().isDragging() || m_session.playback().isPlaying();
     const bool flat = m_session.document().dimension() == 2;
     if (moves || !m_tiles.isVisible() || (flat && !m_canvas.screenPicture())) return m_idle.start();
     m_project = m_session.document().project();
@@ -423,13 +428,13 @@ void TilePictures::ask() {
 }
 
 void TilePictures::take() {
-    if (!m_running || m_coarse.isBusy()) return;
-    if (!m_coarse.frame()) {  // failed: the window reports it
+    if (!m_running || m_coarse.motion().isBusy()) return;
+    if (!m_coarse.motion().frame()) {  // failed: the window reports it
         m_running = false;
         m_done = true;
         return m_tiles.setPictures({});
     }
-    m_made.push_back(drawn(m_coarse.frame()));
+    m_made.push_back(drawn(m_coarse.motion().frame()));
     if (m_made.size() < EnergyScale::kStops) return ask();
     m_running = false;
     m_done = true;

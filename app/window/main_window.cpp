@@ -260,9 +260,9 @@ void MainWindow::connectFiles() {
     m_files->fillSamples(*a.samples);
     connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
     connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(&m_session, &ShapeSession::problem, this,
+    connect(&m_session.motion(), &ShapeMotion::problem, this,
             [this](const QString& text) { m_banner->tell(Topic::Shape, text, problemRemedies(m_session)); });
-    connect(&m_session, &ShapeSession::notice, m_fields, &StatusFields::showMessage);
+    connect(&m_session.document(), &Document::notice, m_fields, &StatusFields::showMessage);
 }
 
 /// Connects what the document takes over from other files.
@@ -288,7 +288,7 @@ void MainWindow::connectEdit() {
     connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
     connect(a.selectAll, &QAction::triggered, this, [this] {
         std::vector<int> all;
-        for (const auto& pin : m_session.pins()) all.push_back(pin.handle);
+        for (const auto& pin : m_session.gestures().pins()) all.push_back(pin.handle);
         m_session.selection().set(std::move(all));
     });
     connect(a.makePart, &QAction::triggered, this, [this] {

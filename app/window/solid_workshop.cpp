@@ -85,7 +85,7 @@ void SolidWorkshop::connectView() {
     };
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
-    connect(&m_around.session, &ShapeSession::frameChanged, this,
+    connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this,
             [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
     connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
             [&view](Id layer) { view.set(&Looks::layer, layer); });
@@ -103,7 +103,8 @@ void SolidWorkshop::connectView() {
     connect(&maps, &DistortionPanel::faultsChanged, m_canvas,
             [this, &maps] { m_canvas->setFaults(maps.watch().faults<3>()); });
     const auto tellMissing = [this](const QStringList& files) {
-        m_around.session.notify(tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
+        m_around.session.document().notify(
+            tr("These pictures of the surface cannot be read: %1").arg(files.join(", ")));
     };
     connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
     connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
@@ -158,7 +159,7 @@ void SolidWorkshop::connectCut() {
     });
     connect(panel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
     connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
-    connect(&m_around.session, &ShapeSession::frameChanged, this, &SolidWorkshop::showCut);
+    connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this, &SolidWorkshop::showCut);
 }
 
 void SolidWorkshop::connectDetail() {
@@ -186,7 +187,7 @@ void SolidWorkshop::exportView() {
 
 void SolidWorkshop::exportFilm() {
     const ShapeSession& session = m_around.session;
-    if (!session.frame() || session.isBusy() || session.isStale())
+    if (!session.motion().frame() || session.motion().isBusy() || session.motion().isStale())
         return emit failed(tr("The shape is still being computed. Try again in a moment."));
     const Document& document = session.document();
     askForView(FilmSubject{document.project(), session.playback().end(), document.folder().toStdString()});
@@ -215,7 +216,7 @@ void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
 }
 
 QImage SolidWorkshop::smallView(const QSize& size) {
-    const auto frame = m_around.session.frame<3>();
+    const auto frame = m_around.session.motion().frame<3>();
     if (!m_canvas || !frame) return {};
     const double ratio = m_window.devicePixelRatioF();
     QImage picture = m_plain.draw(*m_canvas, *frame, size * ratio);
@@ -228,7 +229,7 @@ void SolidWorkshop::showCut() {
     const QSignalBlocker quiet(m_actions.cut);
     m_actions.cut->setChecked(m_canvas->solid().cut() != CutKind::None);
     CutPanel& cut = m_around.properties.cut();
-    const auto frame = m_around.session.frame<3>();
+    const auto frame = m_around.session.motion().frame<3>();
     if (!frame) {
         cut.showNothing();
         return;
@@ -238,20 +239,20 @@ void SolidWorkshop::showCut() {
 }
 
 void SolidWorkshop::holdBeyondCut() {
-    const auto frame = m_around.session.frame<3>();
+    const auto frame = m_around.session.motion().frame<3>();
     if (!frame || !m_canvas || m_canvas->solid().cut() == CutKind::None) return;
+    const CutPlane& plane = m_canvas->solid().plane();
     if (frame->pose == frame->rest->points) {  // at rest it can be a region
-        const Region<3> half =
-            HalfSpace<3>{m_canvas->solid().plane().point, m_canvas->solid().plane().normal};
+        const Region<3> half = HalfSpace<3>{plane.point, plane.normal};
         if (!verticesInside<3>(half, *frame->rest).empty())
             m_around.session.addHandle(half, tr("Region").toStdString());
         return;
     }
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
-        if (m_canvas->solid().plane().height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
+        if (plane.height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
     ShapeSession& session = m_around.session;
-    if (!beyond.empty()) session.addHandle(session.placementOf(beyond), tr("Area").toStdString());
+    if (!beyond.empty()) session.addHandle(session.pins().placementOf(beyond), tr("Area").toStdString());
 }
 
 }  // namespace wend

@@ -86,10 +86,13 @@ StatusFields::StatusFields(QStatusBar& bar, ShapeSession& session)
             [this, last = 0](int steps) mutable {
                 if (steps < std::exchange(last, steps)) showMessage({});  // it described the undone step
             });
-    new CalmFollower(session, CalmFollower::Of::Both, this, [this] {
-        showFrame();
-        showPointer();
-    });
+    new CalmFollower(
+        session.motion(), this,
+        [this] {
+            showFrame();
+            showPointer();
+        },
+        &session.gestures(), &ShapeGesture::pinsChanged, &session.motion(), &ShapeMotion::frameChanged);
 }
 
 QLabel* StatusFields::add(const QString& name, const QString& help, const QString& widest) {
@@ -145,7 +148,7 @@ void StatusFields::setHint(const QString& hint) {
 /// Each change of the text lays the window out anew: during a drag it waits for a calm moment.
 void StatusFields::setPointer(const QString& text) {
     m_pointed = text;
-    if (!m_session.isDragging()) showPointer();
+    if (!m_session.motion().isDragging()) showPointer();
 }
 
 void StatusFields::showPointer() {
@@ -153,7 +156,7 @@ void StatusFields::showPointer() {
 }
 
 void StatusFields::showFrame() {
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_session.motion().frame();
     if (!frame) return m_growth->clear();
     const QLocale locale;
     const double change = 100 * (frame->growth - 1);

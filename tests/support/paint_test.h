@@ -52,7 +52,7 @@ class PaintTest : public QObject {
 
     template <int Dim>
     const std::vector<double>& phis() {
-        return m_f->session().frame<Dim>()->material->phi;
+        return m_f->session().motion().frame<Dim>()->material->phi;
     }
     template <int Dim>
     int cellAt(double u) {

@@ -102,16 +102,16 @@ class RandomHand {
     }
     QPointF onShape() {
         ShapeSession& session = m_window.session();
-        if (const auto frame = session.frame<2>())
+        if (const auto frame = session.motion().frame<2>())
             return m_window.canvas().toWidget(frame->pose.col(upTo(static_cast<int>(frame->pose.cols()))));
-        if (const auto frame = session.frame<3>())
+        if (const auto frame = session.motion().frame<3>())
             return m_window.solids().canvas()->toWidget(
                 frame->pose.col(upTo(static_cast<int>(frame->pose.cols()))));
         return {};
     }
     QPointF onPin() {
         ShapeSession& session = m_window.session();
-        const auto pins = session.pins();
+        const auto pins = session.gestures().pins();
         if (pins.empty()) return onShape();
         const Vec3 at = pins[upTo(static_cast<int>(pins.size()))].centre;
         return session.document().dimension() == 2 ? m_window.canvas().onScreen(at)

@@ -92,12 +92,12 @@ class SolidFixture {
     }
     /// Both ends as handles 0 and 1, the second selected.
     bool holdEnds() {
-        const auto frame = session().frame<3>();
+        const auto frame = session().motion().frame<3>();
         for (const double x : {-2.0, 2.0}) {
             std::vector<int> end;
             for (int v = 0; v < frame->vertices; ++v)
                 if (std::abs(frame->rest->points(0, v) - x) < 1e-9) end.push_back(v);
-            session().addHandle(session().placementOf(end), "End");
+            session().addHandle(session().pins().placementOf(end), "End");
         }
         session().selection().set({1});
         m_window.actions().selectTool->trigger();
@@ -114,7 +114,7 @@ class SolidFixture {
     const Domain& domain() { return session().document().domain(); }
     const std::vector<Pin>& handles() { return session().document().design().handles; }
     Vec<3> pin(int handle) {
-        for (const auto& view : session().pins())
+        for (const auto& view : session().gestures().pins())
             if (view.handle == handle) return view.centre;
         return Vec<3>::Zero();
     }

@@ -32,15 +32,16 @@ inline QString writeCutOut(const QTemporaryDir& folder, const QString& name = QS
 /// Waits until nothing is being computed and the frame shows what the document says; tells what is missing.
 inline bool settle(ShapeSession& session) {
     QString problem;
-    const auto listening = QObject::connect(&session, &ShapeSession::problem,
+    const auto listening = QObject::connect(&session.motion(), &ShapeMotion::problem,
                                             [&problem](const QString& text) { problem = text; });
-    const bool settled =
-        QTest::qWaitFor([&] { return session.frame() && !session.isBusy() && !session.isStale(); }, 60000);
+    const bool settled = QTest::qWaitFor(
+        [&] { return session.motion().frame() && !session.motion().isBusy() && !session.motion().isStale(); },
+        60000);
     QObject::disconnect(listening);
     if (!settled)
-        qWarning("not settled: %s, %s, %s; %s", session.frame() ? "a frame" : "no frame",
-                 session.isBusy() ? "busy" : "idle", session.isStale() ? "stale" : "current",
-                 qPrintable(problem));
+        qWarning("not settled: %s, %s, %s; %s", session.motion().frame() ? "a frame" : "no frame",
+                 session.motion().isBusy() ? "busy" : "idle",
+                 session.motion().isStale() ? "stale" : "current", qPrintable(problem));
     return settled;
 }
 

@@ -92,8 +92,12 @@ class Document : public QObject {
     void dropStep();
     /// Returns whether a step with this key would merge with the last one.
     bool merges(const QString& mergeKey) const;
+    /// Shows a line in the status bar: what could not be done, and where.
+    void notify(const QString& text) { emit notice(text); }
 
   signals:
+    /// Emitted with a line for the status bar.
+    void notice(QString text);
     void opened();
     void projectChanged();
     void titleChanged();

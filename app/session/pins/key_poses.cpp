@@ -12,8 +12,8 @@ namespace {
 
 std::vector<Vec3> startsOf(const ShapeSession& session) {
     std::vector<Vec3> starts;
-    for (int h = 0; h < session.handleCount(); ++h) {
-        const auto own = session.pathStarts(h);
+    for (int h = 0; h < session.pins().count(); ++h) {
+        const auto own = session.pins().pathStarts(h);
         starts.push_back(own.empty() ? Vec3(Vec3::Zero()) : meanOf(own));
     }
     return starts;
@@ -26,7 +26,7 @@ std::vector<CopiedKey> copyKeys(const ShapeSession& session, const std::vector<K
 }
 
 std::vector<CopiedKey> mirroredKeys(const ShapeSession& session, std::vector<CopiedKey> copies) {
-    const FramePtr frame = session.frame();
+    const FramePtr frame = session.motion().frame();
     if (!frame) return {};
     const Mirror mirror = mirrorOf(*frame);
     const std::vector<int> images = mirrorImages(*frame, session.document().design().handles);
@@ -53,12 +53,13 @@ std::vector<KeyId> pasteKeys(ShapeSession& session, std::vector<CopiedKey> copie
     Document& document = session.document();
     std::set<int> locked;
     for (const CopiedKey& copy : copies)
-        if (!locked.contains(copy.handle) && !session.mayChange(copy.handle)) locked.insert(copy.handle);
+        if (!locked.contains(copy.handle) && !session.gestures().mayChange(copy.handle))
+            locked.insert(copy.handle);
     std::erase_if(copies, [&](const CopiedKey& copy) { return locked.contains(copy.handle); });
     std::vector<KeyId> pasted;
     const auto next = withKeysPasted(*document.project(), copies, time, startsOf(session), pasted);
     if (pasted.size() < copies.size())
-        session.notify(ShapeSession::tr(
+        session.document().notify(ShapeSession::tr(
             "No pose was set where a pin begins, rotates or does not hold: show another time."));
     session.playback().setPlaying(false);
     if (!pasted.empty()) document.change(step, next);

@@ -232,7 +232,7 @@ Region<3> mirrored(const Region<3>& region, const Mirror& mirror) {
 }
 
 void mirrorPins(ShapeSession& session) {
-    const FramePtr frame = session.frame();
+    const FramePtr frame = session.motion().frame();
     if (!frame) return;
     Document& document = session.document();
     const Imager imager(*frame);
@@ -251,17 +251,20 @@ void mirrorPins(ShapeSession& session) {
         handles.push_back(std::move(*image));
     }
     if (beside)
-        session.notify(ShapeSession::tr("No pin was set where the mirror image lies outside the shape."));
+        session.document().notify(
+            ShapeSession::tr("No pin was set where the mirror image lies outside the shape."));
     else if (taken)
-        session.notify(ShapeSession::tr("There is already a pin where the mirror image would be."));
+        session.document().notify(
+            ShapeSession::tr("There is already a pin where the mirror image would be."));
     if (made.empty()) return;
-    document.changeDesign(ShapeSession::tr("Mirror %1").arg(session.nameOf(session.selection().handles())),
-                          std::move(next));
+    document.changeDesign(
+        ShapeSession::tr("Mirror %1").arg(session.pins().nameOf(session.selection().handles())),
+        std::move(next));
     session.selection().set(made);
 }
 
 void mirrorMotion(ShapeSession& session) {
-    const FramePtr frame = session.frame();
+    const FramePtr frame = session.motion().frame();
     if (!frame) return;
     Document& document = session.document();
     Design next = document.design();
@@ -269,8 +272,8 @@ void mirrorMotion(ShapeSession& session) {
     std::vector<int> moved;
     std::vector<Vec3> starts;
     for (const int h : session.selection().handles()) {
-        const auto own = session.pathStarts(h);
-        if (handles[h].motions.empty() || own.empty() || !session.mayChange(h)) continue;
+        const auto own = session.pins().pathStarts(h);
+        if (handles[h].motions.empty() || own.empty() || !session.gestures().mayChange(h)) continue;
         moved.push_back(h);
         starts.push_back(meanOf(own));
     }
@@ -279,7 +282,7 @@ void mirrorMotion(ShapeSession& session) {
     mirror.at = meanOf(starts)[mirror.axis];
     for (const int h : moved)
         for (PinMotion& motion : handles[h].motions) motion = mirrored(motion, mirror);
-    document.changeDesign(ShapeSession::tr("Mirror the motion of %1").arg(session.nameOf(moved)),
+    document.changeDesign(ShapeSession::tr("Mirror the motion of %1").arg(session.pins().nameOf(moved)),
                           std::move(next));
 }
 

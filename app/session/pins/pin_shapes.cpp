@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/project/design.h"
+#include "app/project/edits/curve_edits.h"
 #include "app/project/edits/handle_edits.h"
 
 namespace wend {
@@ -65,8 +66,13 @@ double turningRadius(const Vec3& middle, const ShapeFrame& frame, const std::str
 
 /// Returns null if the document has another dimension.
 FramePtr shapeOf(const ShapeSession& session) {
-    const FramePtr frame = session.frame();
+    const FramePtr frame = session.motion().frame();
     return frame && frame->dimension == session.document().dimension() ? frame : FramePtr();
+}
+
+/// Returns the single selected handle of a shown shape, or −1.
+int singleShown(const ShapeSession& session) {
+    return session.motion().frame() ? session.selection().single() : -1;
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ bool widenPoint(ShapeSession& session, int handle) {
 
 double angleAt(const ShapeSession& session, int handle) {
     const FramePtr frame = shapeOf(session);
-    for (const PinView& pin : session.pins(true)) {
+    for (const PinView& pin : session.gestures().pins(true)) {
         if (!frame || pin.handle != handle || pin.places.empty()) continue;
         const Mat<3> R = frame->rotationOf(pin.places.front().cell);
         return std::atan2(R(1, 0), R(0, 0));
@@ -110,7 +116,7 @@ bool widenTurned(ShapeSession& session, int handle) {
     const double angle = angleAt(session, handle);
     Grip grip;
     grip.kind = Grip::Kind::Turn;
-    for (const PinView& pin : session.pins(true))
+    for (const PinView& pin : session.gestures().pins(true))
         if (pin.handle == handle) grip.centre = pin.centre;
     if (!widenPoint(session, handle)) return false;
     if (std::abs(angle) > kNoTurn) session.gestures().moveAtOnce(grip, {angle, 0, 0});
@@ -119,7 +125,7 @@ bool widenTurned(ShapeSession& session, int handle) {
 
 bool widenPin(ShapeSession& session, int handle, double radius, const QString& key) {
     const FramePtr frame = shapeOf(session);
-    if (!session.mayChange(handle) || !frame) return false;
+    if (!session.gestures().mayChange(handle) || !frame) return false;
     Document& document = session.document();
     const Pin& own = document.design().handles.at(handle);
     const Vec3 middle = middleOf(own.at, *frame);
@@ -131,7 +137,7 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     }
     const Region<3> wide = Ball<3>{middle, radius};
     if (static_cast<int>(frame->verticesInside(wide).size()) < leastHeld(*frame)) {
-        session.notify(
+        session.document().notify(
             frame->dimension == 2
                 ? ShapeSession::tr("This circle is smaller than the mesh: make it larger, or the mesh finer.")
                 : ShapeSession::tr("This ball is smaller than the mesh: make it larger, or the mesh finer."));
@@ -140,6 +146,23 @@ bool widenPin(ShapeSession& session, int handle, double radius, const QString& k
     document.changeDesign(ShapeSession::tr("Widen %1").arg(QString::fromStdString(own.name)),
                           withHandlePlace(document.design(), handle, wide), key);
     return true;
+}
+
+bool canMakeCurve(const ShapeSession& session) {
+    const int handle = singleShown(session);
+    if (handle < 0) return false;
+    return canBecomeCurve(session.document().design(), handle);
+}
+
+void makeCurve(ShapeSession& session) {
+    if (!canMakeCurve(session)) return;
+    Document& document = session.document();
+    const int handle = singleShown(session);
+    const auto starts = session.pins().pathStarts(handle);
+    if (starts.empty()) return;
+    const auto path = pinPaths(document.design().handles[handle], {meanOf(starts)}, document.dimension());
+    const auto next = withCurve(document.design(), handle, path.front().points.back());
+    if (next) document.changeDesign(ShapeSession::tr("Edit path"), *next);
 }
 
 }  // namespace wend

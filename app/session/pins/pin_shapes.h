@@ -31,4 +31,9 @@ void setHoldsAngle(ShapeSession& session, int handle, bool holds);
 /// angle that the shape has there.
 bool widenTurned(ShapeSession& session, int handle);
 
+/// Returns whether the last path of the single selected handle can become a Bézier curve.
+bool canMakeCurve(const ShapeSession& session);
+/// Makes it one; one undo step.
+void makeCurve(ShapeSession& session);
+
 }  // namespace wend

@@ -3,23 +3,24 @@
 #include <optional>
 #include <vector>
 
-#include "app/session/shape_session.h"
+#include "app/session/pins.h"
 
 namespace wend {
 
 /// Each of these is one undo step for all given pins, and none if nothing changes.
 
-void setLocked(ShapeSession& session, const std::vector<int>& pins, bool locked);
-void setHidden(ShapeSession& session, const std::vector<int>& pins, bool hidden);
+void setLocked(Document& document, const ShownPins& shown, const std::vector<int>& pins, bool locked);
+void setHidden(Document& document, const ShownPins& shown, const std::vector<int>& pins, bool hidden);
 /// Puts the pins into a group; an empty name removes them from their groups.
-void setGroup(ShapeSession& session, const std::vector<int>& pins, const QString& name);
-void renameGroup(ShapeSession& session, const QString& group, const QString& name);
+void setGroup(Document& document, const ShownPins& shown, const std::vector<int>& pins, const QString& name);
+void renameGroup(Document& document, const ShownPins& shown, const QString& group, const QString& name);
 /// Sets the colour of pins. Pins without a colour get that of their position in the list.
-void setColour(ShapeSession& session, const std::vector<int>& pins, std::optional<unsigned> colour);
+void setColour(Document& document, const ShownPins& shown, const std::vector<int>& pins,
+               std::optional<unsigned> colour);
 /// Makes the pins hold for the whole animation, except locked ones.
-void holdThroughout(ShapeSession& session, const std::vector<int>& pins);
+void holdThroughout(Document& document, const ShownPins& shown, const std::vector<int>& pins);
 /// Returns whether holdThroughout() would change anything.
-bool canHoldLonger(const ShapeSession& session, const std::vector<int>& pins);
-void setLinked(ShapeSession& session, const std::vector<int>& pins, bool linked);
+bool canHoldLonger(const Document& document, const ShownPins& shown, const std::vector<int>& pins);
+void setLinked(Document& document, const ShownPins& shown, const std::vector<int>& pins, bool linked);
 
 }  // namespace wend

@@ -70,7 +70,7 @@ bool OutlineTool::isLocked(const std::string& name) const {
 Sheet OutlineTool::sheet() const {
     const Document& document = session().document();
     if (document.domain().parts.empty()) return Sheet{document.picture()};
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     const Texture* texture = frame && frame->built ? frame->built->texture.get() : nullptr;
     if (texture && texture->drawn)
         for (std::size_t i = 0; i < texture->sheets.size(); ++i)
@@ -135,14 +135,14 @@ bool OutlineTool::isReady() {
     if (document.isEmpty() || !document.picture() || document.domain().kind != DomainKind::Image)
         return false;
     if (!document.domain().parts.empty() && !makesPart() && !sheet().picture) {
-        session().notify(QCoreApplication::translate(
+        session().document().notify(QCoreApplication::translate(
             "OutlineTool",
             "This picture has parts: choose the one in the list that this outline is for, or Make a Part to "
             "cut another one out."));
         return false;
     }
     if (!makesPart() && isLocked(m_pen.now().part)) {
-        session().notify(
+        session().document().notify(
             QCoreApplication::translate("OutlineTool", "“%1” is locked. The list of parts unlocks it.")
                 .arg(QString::fromStdString(m_pen.now().part)));
         return false;
@@ -338,7 +338,7 @@ void OutlineTool::finish(Qt::KeyboardModifiers modifiers) {
     const bool isLine = isThin(drawn);
     cancel();
     if (isLine)
-        return session().notify(QCoreApplication::translate(
+        return session().document().notify(QCoreApplication::translate(
             "OutlineTool", "That was a line. Draw around a part of the picture."));
     if (drawn.loops.empty()) return;
     if (makesPart()) return makePart(session(), drawn);
@@ -407,21 +407,22 @@ void OutlineTool::apply(const Project& project, const Outline& piece, bool takes
     Outline next = replaces ? combined(inside, {}, OutlineOperation::Add, smallest)
                             : combined(before, inside, operation, smallest);
     if (next.loops.empty()) {
-        session().notify(QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
+        session().document().notify(
+            QCoreApplication::translate("OutlineTool", "Nothing would be left of the shape."));
         return;
     }
     int pinsGone = 0;
     const auto changed = withOutline(project, std::move(next), pinsGone);
     if (pinsGone > 0) {
         session().selection().clear();
-        session().notify(QCoreApplication::translate(
+        session().document().notify(QCoreApplication::translate(
             "OutlineTool", "Pins outside the new outline were removed: %n.", nullptr, pinsGone));
     }
     const char* const name = m_shape == Shape::Cut ? QT_TRANSLATE_NOOP("OutlineTool", "Cut")
                              : takesAway ? QT_TRANSLATE_NOOP("OutlineTool", "Take away from the outline")
                                          : QT_TRANSLATE_NOOP("OutlineTool", "Add to the outline");
     if (pinsGone == 0 && kind == OutlineKind::Alpha)
-        session().notify(QCoreApplication::translate(
+        session().document().notify(QCoreApplication::translate(
             "OutlineTool",
             "From now on the outline is as you draw it, and has no margin to change. "
             "Choose “Cut-out” as the outline to go back to the one that was found."));

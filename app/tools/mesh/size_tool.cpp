@@ -10,7 +10,7 @@ namespace wend {
 namespace {
 
 void paintMesh(QPainter& painter, ShapeView& view) {
-    const auto frame = view.session().frame<2>();
+    const auto frame = view.session().motion().frame<2>();
     if (!frame) return;
     painter.setPen(QPen(QColor(0x2a, 0x8a, 0x7a, 120), 0.75));
     QList<QLineF> lines;
@@ -37,7 +37,7 @@ double SizeTool::factor() const {
 void SizeTool::take(const std::vector<Dab>& dabs) {
     Document& document = session().document();
     if (view().dimension() == 2 && document.domain().kind != DomainKind::Image) {
-        session().notify(
+        session().document().notify(
             QCoreApplication::translate("SizeTool", "The mesh comes from a file and is used as it is."));
         return;
     }

@@ -106,17 +106,18 @@ PaintedLayer layerFor(const Design& design, const BrushSettings& brush, const Ch
     return {.name = freeName(namesOf(layers), kind)};
 }
 
-QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer) {
+QString placeName(const ShapeMotion& motion, const ShownPins& pins, const Vec3& place,
+                  const std::string& layer) {
     static const QRegularExpression numbered(QStringLiteral(" \\d+$"));
     const QString own = QString::fromStdString(layer);
     if (!own.isEmpty() && !own.contains(numbered)) return own;
-    const FramePtr frame = session.frame();
+    const FramePtr frame = motion.frame();
     if (!frame) return {};
-    const auto& handles = session.document().design().handles;
+    const auto& handles = motion.document().design().handles;
     QString nearest;
     double reach = kNear * frame->diagonal;
     for (std::size_t i = 0; i < handles.size(); ++i) {
-        const auto starts = session.pathStarts(static_cast<int>(i));
+        const auto starts = pins.pathStarts(static_cast<int>(i));
         if (starts.empty()) continue;
         const double far = (meanOf(starts) - place).norm();
         if (far < reach) reach = far, nearest = QString::fromStdString(handles[i].name);

@@ -6,7 +6,8 @@
 #include "app/engine/motion/edited_material.h"
 #include "app/project/edits/material_edits.h"
 #include "app/session/brush.h"
-#include "app/session/shape_session.h"
+#include "app/session/pins.h"
+#include "app/session/shape_motion.h"
 #include "app/tools/tool_kind.h"
 
 namespace wend {
@@ -28,7 +29,8 @@ std::string brushAim(const BrushSettings& brush);
 PaintedLayer layerFor(const Design& design, const BrushSettings& brush, const ChosenLayer& chosen,
                       const std::string& aim, const std::string& kind);
 /// Returns a name for a place at rest: that of its layer or of the nearest pin; empty far from both.
-QString placeName(const ShapeSession& session, const Vec3& place, const std::string& layer);
+QString placeName(const ShapeMotion& motion, const ShownPins& pins, const Vec3& place,
+                  const std::string& layer);
 /// Returns the map that is shown while painting: the property that the brush changes.
 std::optional<Measure> paintedMap(const Workbench& on, int dimension);
 /// Returns whether the brush's stiffness equals that of the whole shape, and what the user can do then.

@@ -35,7 +35,7 @@ void DepthTool::take(const std::vector<Dab>& dabs) {
 }
 
 void DepthTool::paint(QPainter& painter) const {
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     if (frame) {
         const auto& orders = m_orders.of(session().document().depth(), frame->rest);
         paintDepths(painter, *frame, *orders,

@@ -46,7 +46,7 @@ void FillTool::fill(int cell, Qt::KeyboardModifiers modifiers) try {
     }
     const BrushSettings& brush = m_brush.now();
     if (paintsNothing(brush)) {
-        session().notify(nothingToPaint());
+        session().document().notify(nothingToPaint());
         return;
     }
     const MaterialPaint paint = paintOf(brush, view().dimension());
@@ -57,7 +57,7 @@ void FillTool::fill(int cell, Qt::KeyboardModifiers modifiers) try {
          QCoreApplication::translate("FillTool", "Fill with %1").arg(what));
     m_brush.layer().set({layer.id, aim});
 } catch (const InputError& error) {  // a picture of the material is missing
-    session().notify(QString::fromStdString(error.what()));
+    session().document().notify(QString::fromStdString(error.what()));
 }
 
 void FillTool::show(Design next, const QString& step) {

@@ -175,14 +175,14 @@ bool GradientTool::preview(bool lasts) try {
     view().redraw();
     return design.has_value();
 } catch (const InputError& error) {  // a picture of the material is missing
-    session().notify(QString::fromStdString(error.what()));
+    session().document().notify(QString::fromStdString(error.what()));
     return false;
 }
 
 void GradientTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_frame) return;
     const bool isBare = !m_handle && region() && paintsNothing(m_brush.now());
-    if (isBare) session().notify(nothingToPaint());
+    if (isBare) session().document().notify(nothingToPaint());
     // or a click, or it began on removed cells
     if (isBare || !isCurrent() || !preview(true)) return cancel();
     auto design = *next();

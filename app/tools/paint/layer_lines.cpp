@@ -197,7 +197,7 @@ void RegionLines::setRegions(const std::vector<SoftRegion>& regions) {
 }
 
 void RegionLines::paint(QPainter& painter, PictureShapeView& view) {
-    const auto frame = view.session().frame<2>();
+    const auto frame = view.session().motion().frame<2>();
     if (m_regions.empty() || !frame) return;
     if (m_rest != frame->rest) m_lines = linesOf(m_regions, *frame->rest);
     m_rest = frame->rest;

@@ -79,9 +79,9 @@ Vec3 PaintTool::axisAt(const ShapeFrame& frame, const Touch& touch) const {
 
 /// Returns the direction of the selected handle's path at its nearest point; zero without one.
 Vec3 PaintTool::wayAt(const Vec3& p) const {
-    const int selected = session().singleHandle();
+    const int selected = session().selection().single();
     if (selected < 0) return Vec3::Zero();
-    const auto starts = session().pathStarts(selected);
+    const auto starts = session().pins().pathStarts(selected);
     if (starts.empty()) return Vec3::Zero();
     const auto& handle = session().document().design().handles[selected];
     const auto way = pinPaths(handle, {meanOf(starts)}, view().dimension()).front().points;
@@ -175,7 +175,7 @@ Design PaintTool::painted(const std::vector<Dab>& dabs) {
 FramePtr PaintTool::laid(const Design& next) try {
     return m_material->with(next.material, m_first);
 } catch (const InputError& error) {
-    session().notify(QString::fromStdString(error.what()));
+    session().document().notify(QString::fromStdString(error.what()));
     return nullptr;
 }
 
@@ -197,8 +197,8 @@ PaintedLayer PaintTool::layer() const {
 /// Names the step, with its place if that has a name: "Paint Rigid on Neck".
 QString PaintTool::title(const std::vector<Dab>& dabs) const {
     const bool erases = deed() == Deed::Erase;
-    const QString where =
-        placeName(session(), dabs[dabs.size() / 2].rest, erases ? std::string() : m_layer.name);
+    const QString where = placeName(session().motion(), session().pins(), dabs[dabs.size() / 2].rest,
+                                    erases ? std::string() : m_layer.name);
     const auto with = [&](const char* somewhere, const char* bare) {
         return where.isEmpty() ? QCoreApplication::translate("PaintTool", bare)
                                : QCoreApplication::translate("PaintTool", somewhere).arg(where);
@@ -223,9 +223,9 @@ void PaintTool::take(const std::vector<Dab>& dabs) {
     const FramePtr shown = laid(next);
     const bool same = shown && m_material->equals(*shown);
     if (same && erases)
-        session().notify(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
+        session().document().notify(QCoreApplication::translate("PaintTool", "Nothing is painted there"));
     const bool isBare = same && paints && paintsNothing(brush().now());
-    if (isBare) session().notify(nothingToPaint());
+    if (isBare) session().document().notify(nothingToPaint());
     const bool changes = shown && !isBare && !(same && erases);
     view().showMaterial(changes ? shown : nullptr, changes);
     m_material.reset();
@@ -233,7 +233,7 @@ void PaintTool::take(const std::vector<Dab>& dabs) {
     const bool lost = paints && brush().now().target != BrushTarget::Keep &&
                       brush().now().along != StiffAlong::AsItIs && directionOf(dabs, 0).isZero();
     if (lost)
-        session().notify(QCoreApplication::translate(
+        session().document().notify(QCoreApplication::translate(
             "PaintTool", "There is no direction to follow: the numbers on the right were used."));
     session().document().changeDesign(title(dabs), std::move(next));
     if (!erases) brush().layer().set({m_layer.id, aim()});

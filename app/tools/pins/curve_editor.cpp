@@ -31,13 +31,15 @@ QString curveHint(bool onPoint) {
 }
 
 int CurveEditor::handle() const {
-    const int handle = m_session.document().dimension() == m_view.dimension() ? m_session.singleHandle() : -1;
-    return handle >= 0 && m_session.isLocked(handle) ? -1 : handle;
+    const int handle = m_view.session().document().dimension() == m_view.dimension()
+                           ? m_view.session().selection().single()
+                           : -1;
+    return handle >= 0 && m_view.session().pins().isLocked(handle) ? -1 : handle;
 }
 
 std::optional<CurveMotion<3>> CurveEditor::curve() const {
-    if (handle() < 0 || !m_session.frame()) return {};
-    const CurveMotion<3>* last = lastCurve(m_session.document().design(), handle());
+    if (handle() < 0 || !m_view.session().motion().frame()) return {};
+    const CurveMotion<3>* last = lastCurve(m_view.session().document().design(), handle());
     return last ? std::optional(*last) : std::nullopt;
 }
 
@@ -61,10 +63,10 @@ int CurveEditor::chosen() const {
 
 /// Returns the offset from the stored curve to the handle's actual place at its start.
 Vec3 CurveEditor::shift() const {
-    Pin before = m_session.document().design().handles[handle()];
+    Pin before = m_view.session().document().design().handles[handle()];
     const auto curve = std::get<CurveMotion<3>>(before.motions.back().kind);
     before.motions.pop_back();
-    const auto starts = m_session.pathStarts(handle());
+    const auto starts = m_view.session().pins().pathStarts(handle());
     if (starts.empty()) return Vec3::Zero();
     return pinPaths(before, {meanOf(starts)}, m_view.dimension()).front().points.back() -
            curve.points.front();
@@ -142,7 +144,7 @@ void CurveEditor::choose(int point) {
 void CurveEditor::begin(int point, const QPointF& widget) {
     choose(point);
     m_dragged = point;
-    m_draggedOf = m_session.document().project();
+    m_draggedOf = m_view.session().document().project();
     m_freely = false;
     m_from = widget;
     m_by.setZero();
@@ -159,9 +161,9 @@ void CurveEditor::drag(const QPointF& widget, bool freely) {
 }
 
 void CurveEditor::change(const QString& name, CurveMotion<3> next) {
-    Design design = m_session.document().design();
+    Design design = m_view.session().document().design();
     *lastCurve(design, handle()) = std::move(next);
-    m_session.document().changeDesign(name, std::move(design));
+    m_view.session().document().changeDesign(name, std::move(design));
     m_view.redraw();
 }
 
@@ -239,7 +241,8 @@ void CurveEditor::removePoint() {
     if (next)
         change(QCoreApplication::translate("CurveEditor", "Delete curve point"), *next);
     else if (own && chosen() > 0)
-        m_session.notify(QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
+        m_view.session().document().notify(
+            QCoreApplication::translate("CurveEditor", "The ends of a curve must stay."));
 }
 
 void CurveEditor::setKind(JointKind kind) {

@@ -15,14 +15,14 @@ QString curveHint(bool onPoint);
 /// removed. One undo step per gesture.
 class CurveEditor : public CurveEditing {
   public:
-    explicit CurveEditor(ShapeView& view) : m_view(view), m_session(view.session()) {}
+    explicit CurveEditor(ShapeView& view) : m_view(view) {}
 
     /// Returns the point within reach, or −1. The first point is fixed, because the handle is there when the
     /// motion begins.
     int pointAt(const QPointF& widget) const;
     /// Returns whether the curve itself is within reach.
     bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
-    bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_session.document().project(); }
+    bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_view.session().document().project(); }
     /// Chooses the point and drags it.
     void begin(int point, const QPointF& widget);
     /// Moves the point; with `freely` the other direction of the joint stays.
@@ -66,7 +66,6 @@ class CurveEditor : public CurveEditing {
     void paintMoved(QPainter& painter) const;
 
     ShapeView& m_view;
-    ShapeSession& m_session;
     int m_dragged = -1;
     bool m_freely = false;
     QPointF m_from;

@@ -64,7 +64,7 @@ QPainterPath snapped(const QPainterPath& path) {
 
 /// Maps an outline to the rest shape: outside of it by the offset from the nearest vertex.
 Polygon atRest(PictureShapeView& view, const QPolygonF& outline) {
-    const auto frame = view.session().frame<2>();
+    const auto frame = view.session().motion().frame<2>();
     const PointLocator<2> locator(frame->pose, frame->rest->cells);
     const Points<2>& rest = frame->rest->points;
     std::vector<Vec<2>> points;
@@ -89,7 +89,8 @@ Polygon atRest(PictureShapeView& view, const QPolygonF& outline) {
 std::optional<Placement<3>> placementOf(PictureShapeView& view, const QPainterPath& area) {
     const QPolygonF outline = outlineOf(area);
     const Polygon polygon = outline.size() < 3 ? Polygon() : atRest(view, outline);
-    if (polygon.points.size() < 3 || view.session().frame()->verticesInside(polygon).size() < kMinHeld)
+    if (polygon.points.size() < 3 ||
+        view.session().motion().frame()->verticesInside(polygon).size() < kMinHeld)
         return {};
     return Region<3>(polygon);
 }
@@ -100,7 +101,7 @@ std::optional<std::string> ownerOf(ShapeView& view, const Placement<3>& placemen
     const auto& parts = view.session().document().domain().parts;
     const auto* region = std::get_if<Region<3>>(&placement);
     if (!region || std::ranges::none_of(parts, &PicturePart::locked)) return std::string();
-    const FramePtr frame = view.session().frame();
+    const FramePtr frame = view.session().motion().frame();
     const std::vector<int> held = frame->verticesInside(*region);
     for (auto range = frame->parts().rbegin(); range != frame->parts().rend(); ++range) {
         const auto part = std::ranges::find(parts, range->name, &PicturePart::name);
@@ -113,17 +114,17 @@ std::optional<std::string> ownerOf(ShapeView& view, const Placement<3>& placemen
 
 std::optional<Placement<3>> placementOf(SolidShapeView& view, const std::vector<int>& vertices) {
     if (vertices.empty()) return {};
-    return view.session().placementOf(vertices);
+    return view.session().pins().placementOf(vertices);
 }
 
 /// Returns what the single selected handle holds; nothing without one, or in the plane if that is no region.
 std::optional<QPainterPath> selectedPart(PictureShapeView& view) {
-    ShapeSession& session = view.session();
-    const auto frame = session.frame<2>();
-    for (const PinView& pin : session.pins()) {
-        if (pin.handle != session.singleHandle() || !pin.region) continue;
+    const ShapeMotion& motion = view.session().motion();
+    for (const PinView& pin : view.session().gestures().pins()) {
+        if (pin.handle != view.session().selection().single() || !pin.region) continue;
         QPolygonF border;
-        for (const Vec3& p : regionBorder(session.document().design().handles[pin.handle], pin, *frame))
+        for (const Vec3& p :
+             regionBorder(motion.document().design().handles[pin.handle], pin, *motion.frame()))
             border << view.onScreen(p);
         return snapped(insideOf(border));
     }
@@ -131,9 +132,9 @@ std::optional<QPainterPath> selectedPart(PictureShapeView& view) {
 }
 
 std::optional<std::vector<int>> selectedPart(SolidShapeView& view) {
-    const int handle = view.session().singleHandle();
+    const int handle = view.session().selection().single();
     if (handle < 0) return {};
-    return view.session().verticesOf(handle);
+    return view.session().pins().verticesOf(handle);
 }
 
 QPainterPath united(const QPainterPath& a, const QPainterPath& b) {
@@ -176,29 +177,29 @@ namespace {
 
 template <class View, class Part>
 bool hold(View& view, const Part& part) {
-    ShapeSession& session = view.session();
     const auto place = placementOf(view, part);
     if (const auto owner = place ? ownerOf(view, *place) : std::nullopt)
-        return session.addHandle(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
-                                 *owner) >= 0;
-    session.notify(QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
+        return view.session().addHandle(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
+                                        *owner) >= 0;
+    view.session().document().notify(
+        QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }
 
 template <class View, class Part>
 bool change(View& view, const Part& part, Qt::KeyboardModifiers with) {
     const bool adds = with & Qt::ShiftModifier, takes = with & Qt::ControlModifier;
-    ShapeSession& session = view.session();
     const auto own = adds || takes ? selectedPart(view) : std::nullopt;
     if (!own && takes && !adds)
-        session.notify(QCoreApplication::translate("GrabTool", "Select one part to take away from."));
+        view.session().document().notify(
+            QCoreApplication::translate("GrabTool", "Select one part to take away from."));
     if (!own) return takes && !adds;
     const Part changed = adds ? united(*own, part) : without(*own, part);
     if (changed == *own) return true;
     if (const auto place = placementOf(view, changed))
-        session.changeHandle(session.singleHandle(), *place);
+        view.session().changeHandle(view.session().selection().single(), *place);
     else
-        session.notify(
+        view.session().document().notify(
             QCoreApplication::translate("GrabTool", "A handle must hold something; Delete removes it."));
     return true;
 }
@@ -220,7 +221,7 @@ bool changePart(SolidShapeView& view, const std::vector<int>& part, Qt::Keyboard
 
 void paintCaught(QPainter& painter, SolidShapeView& view, const std::vector<int>& vertices,
                  const QPointF& at) {
-    const auto frame = view.session().frame<3>();
+    const auto frame = view.session().motion().frame<3>();
     if (!frame) return;
     painter.setBrush(QColor(kAccent));
     painter.setPen(QPen(Qt::white, marked(0.75)));

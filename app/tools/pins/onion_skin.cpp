@@ -76,16 +76,16 @@ void appendDense(std::vector<Vec<2>>& points, const std::vector<Vec<2>>& loop, d
 }  // namespace
 
 template <int Dim>
-std::vector<typename OnionSkin<Dim>::Layer> OnionSkin<Dim>::layers(ShapeSession& session) const {
+std::vector<typename OnionSkin<Dim>::Layer> OnionSkin<Dim>::layers(const ShapeMotion& motion,
+                                                                   const Playback& playback) const {
     std::vector<Layer> layers;
-    const auto shown = session.frame<Dim>();
-    const Playback& playback = session.playback();
+    const auto shown = motion.frame<Dim>();
     if (!m_shown || !shown || playback.isPlaying() || playback.end() <= 0) return layers;
     for (int k = kEachWay; k > 0; --k)
         for (const int side : {-1, 1}) {
             const double time = playback.time() + side * k * kSkinSpacing * playback.end();
             if (time < 0 || time > playback.end()) continue;
-            const auto frame = posed<Dim>(session.track().at(time));
+            const auto frame = posed<Dim>(motion.track().at(time));
             if (!frame || frame->rest != shown->rest) continue;
             QColor colour = side < 0 ? kPast : kFuture;
             colour.setAlphaF(static_cast<float>(kTints[k - 1]));
@@ -189,7 +189,7 @@ std::vector<QPolygonF> OnionSkin<Dim>::outline(const PosedFrame<Dim>& frame, Sha
 template <int Dim>
 void OnionSkin<Dim>::paintFills(QPainter& painter, ShapeView& view) {
     painter.setPen(Qt::NoPen);
-    for (const Layer& layer : layers(view.session())) {
+    for (const Layer& layer : layers(view.session().motion(), view.session().playback())) {
         takeBoundary(*layer.frame);
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
@@ -201,7 +201,7 @@ void OnionSkin<Dim>::paintFills(QPainter& painter, ShapeView& view) {
 template <int Dim>
 void OnionSkin<Dim>::paintOutlines(QPainter& painter, ShapeView& view) {
     painter.setBrush(Qt::NoBrush);
-    for (const Layer& layer : layers(view.session())) {
+    for (const Layer& layer : layers(view.session().motion(), view.session().playback())) {
         takeBoundary(*layer.frame);
         QColor colour = layer.colour;
         colour.setAlphaF(static_cast<float>(kLineStrength) * colour.alphaF());

@@ -37,7 +37,7 @@ class OnionSkin {
         int from, to;
         std::array<int, 2> sides;
     };
-    std::vector<Layer> layers(ShapeSession& session) const;
+    std::vector<Layer> layers(const ShapeMotion& motion, const Playback& playback) const;
     void takeBoundary(const PosedFrame<Dim>& frame);
     void takeDrawing(const Shape<Dim>& shape);
     std::vector<QPolygonF> outline(const PosedFrame<Dim>& frame, ShapeView& view) const;

@@ -94,7 +94,7 @@ bool PenTool::isDrawing() const {
 
 int PenTool::pinAt(const QPointF& widget) const {
     PinPick pick;
-    for (const PinView& pin : session().pins())
+    for (const PinView& pin : session().gestures().pins())
         if (const double d = QLineF(view().onScreen(pin.centre), widget).length(); d <= marked(kPenReach))
             pick.offer(pin.handle, d, false);
     return pick.handle();
@@ -119,11 +119,11 @@ bool PenTool::begin(const QPointF& at) {
     if (const int pin = pinAt(at); pin >= 0) {
         session().selection().set({pin});
         if (!beginAt({pin})) return false;
-        session().notify({});  // about a click outside all pins
+        session().document().notify({});  // about a click outside all pins
         return true;
     }
     if (beginAt(session().selection().handles())) return true;
-    if (session().selection().isEmpty()) session().notify(hint());
+    if (session().selection().isEmpty()) session().document().notify(hint());
     return false;
 }
 
@@ -131,9 +131,10 @@ bool PenTool::begin(const QPointF& at) {
 bool PenTool::beginAt(const std::vector<int>& handles) {
     session().playback().setPlaying(false);
     std::vector<Vec3> centres;
-    for (const PinView& pin : session().pins(true))
+    for (const PinView& pin : session().gestures().pins(true))
         if (std::count(handles.begin(), handles.end(), pin.handle)) centres.push_back(inSpace(pin.centre));
-    const bool may = std::ranges::all_of(handles, [this](int h) { return session().mayChange(h); });
+    const bool may =
+        std::ranges::all_of(handles, [this](int h) { return session().gestures().mayChange(h); });
     if (centres.empty() || !may) return false;
     m_joints = {{meanOf(centres)}};
     m_of = session().document().project();

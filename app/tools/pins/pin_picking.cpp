@@ -35,11 +35,11 @@ int markUnder(ShapeView& view, const QPointF& widget, bool through) {
         return QLineF(view.onScreen(pin.centre), widget).length();
     };
     PinPick marks, ghosts;
-    for (const PinView& pin : view.session().pins())
+    for (const PinView& pin : view.session().gestures().pins())
         if (const double d = distance(pin); d <= marked(kPinReach))
             marks.offer(pin.handle, d, !through && isMarkCovered(view, pin));
     if (marks.handle() >= 0) return marks.handle();
-    for (const PinView& ghost : view.session().ghosts())
+    for (const PinView& ghost : view.session().gestures().ghosts())
         if (const double d = distance(ghost); d <= marked(kGhostReach)) ghosts.offer(ghost.handle, d, false);
     return ghosts.handle();
 }
@@ -48,14 +48,13 @@ namespace {
 
 /// Returns the visible region of a picture under the pointer, the smallest of several.
 int regionUnder(ShapeView& view, const QPointF& widget) {
-    ShapeSession& session = view.session();
-    const auto frame = session.frame<2>();
+    const auto frame = view.session().motion().frame<2>();
     if (!frame) return -1;
     const auto seen = view.touch(widget);
     PinPick pick;
-    for (const PinView& pin : session.pins()) {
+    for (const PinView& pin : view.session().gestures().pins()) {
         if (!pin.region) continue;
-        const Pin& handle = session.document().design().handles[pin.handle];
+        const Pin& handle = view.session().document().design().handles[pin.handle];
         const bool isBehind =  // another part, which is to be pinned itself
             seen && !handle.part.empty() && frame->partOf(seen->place.cell) != handle.part;
         if (isBehind) continue;
@@ -76,7 +75,7 @@ int regionUnder(ShapeView& view, const QPointF& widget) {
 int partUnder(ShapeView& view, const QPointF& widget, bool through) {
     const bool isFlat = view.dimension() == 2;
     PinPick pick;
-    for (const PinView& pin : view.session().pins())
+    for (const PinView& pin : view.session().gestures().pins())
         for (std::size_t i = 0; i < pin.points.size() && !(isFlat && pin.region); ++i)
             if (const double d = QLineF(view.onScreen(pin.points[i]), widget).length();
                 d <= marked(kPointReach) && (through || !isCovered(view, pin, i)))
@@ -85,15 +84,15 @@ int partUnder(ShapeView& view, const QPointF& widget, bool through) {
 }
 
 int wayUnder(ShapeView& view, const QPointF& widget) {
-    ShapeSession& session = view.session();
     int best = -1;
     double nearest = marked(kWayReach);
-    const auto& handles = session.document().design().handles;
+    const auto& handles = view.session().document().design().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        if (handles[h].motions.empty() || handles[h].activeTo <= session.playback().time() ||
+        if (handles[h].motions.empty() || handles[h].activeTo <= view.session().playback().time() ||
             handles[h].traits.hidden)
             continue;
-        for (const auto& way : pinPaths(handles[h], shownStarts(session.pathStarts(h)), view.dimension()))
+        for (const auto& way :
+             pinPaths(handles[h], shownStarts(view.session().pins().pathStarts(h)), view.dimension()))
             for (std::size_t i = 1; i < way.points.size(); ++i) {
                 const double d =
                     distanceToLine(widget, view.onScreen(way.points[i - 1]), view.onScreen(way.points[i]));

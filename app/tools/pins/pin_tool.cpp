@@ -25,7 +25,7 @@ constexpr double kPinDrag = 3;         // pixels: less is a click
 Vec3 nudgeOf(ShapeView& view, const Vec3& p, const QPointF& by) {
     if (view.dimension() == 2) {
         const double down = (view.ray({0, 1}).origin - view.ray({0, 0}).origin).y();
-        return view.session().pixel() * Vec3(by.x(), std::copysign(by.y(), down * by.y()), 0);
+        return view.session().motion().pixel() * Vec3(by.x(), std::copysign(by.y(), down * by.y()), 0);
     }
     const QPointF at = view.onScreen(p);
     return acrossTheScreen(view, p, at + by) - acrossTheScreen(view, p, at);
@@ -96,7 +96,7 @@ bool PinTool::placeGizmo() const {
     if (!view().showsManipulators()) return false;
     std::vector<Vec3> centres;
     std::size_t points = 0;
-    for (const auto& pin : session().pins()) {
+    for (const auto& pin : session().gestures().pins()) {
         if (!isSelected(pin.handle)) continue;
         centres.push_back(pin.centre);
         points += pin.points.size();
@@ -200,7 +200,7 @@ bool PinTool::setPin() {
 /// Widens a single point before it rotates or scales: its disc gets the angle that the shape has there before
 /// it is rotated on.
 bool PinTool::canUse(const Part& part) {
-    const int handle = session().singleHandle();
+    const int handle = session().selection().single();
     if (part.kind == Grip::Kind::Move || m_gizmo->canTurn() || !holdsPoint(session(), handle)) return true;
     const Vec3 point = m_gizmo->centre();
     session().document().beginStep();
@@ -218,7 +218,7 @@ void PinTool::beginDrag(const Part& part) {
     m_amount.setZero();
     session().gestures().begin(m_gizmo->grip(view()), m_with & Qt::ControlModifier);
     m_gesture = Gesture::Drag;
-    if (!session().isDragging()) finishDrag();
+    if (!session().motion().isDragging()) finishDrag();
 }
 
 void PinTool::drag(bool snaps) {
@@ -247,7 +247,7 @@ void PinTool::finishDrag() {
     if (!std::exchange(m_typed, TypedNumber()).isEmpty())
         session().gestures().endStraight();
     else if (m_gizmo->part().kind == Grip::Kind::Move)
-        session().gestures().end(std::max(kStrokeDetail * pixel, kMinDetail * session().pixel()));
+        session().gestures().end(std::max(kStrokeDetail * pixel, kMinDetail * session().motion().pixel()));
     else
         session().gestures().end(kTurnDetail);
     if (std::exchange(m_sets, false)) session().document().endStep();
@@ -255,7 +255,7 @@ void PinTool::finishDrag() {
 
 /// Returns the distance from the pin's centre to the pointer in domain units.
 double PinTool::widenedTo(const QPointF& at) const {
-    for (const auto& pin : session().pins())
+    for (const auto& pin : session().gestures().pins())
         if (pin.handle == m_pressed) return (acrossTheScreen(view(), pin.centre, at) - pin.centre).norm();
     return 0;
 }
@@ -314,7 +314,7 @@ bool PinTool::isTaken(const PinView& pin) const {
 
 void PinTool::selectInside(Qt::KeyboardModifiers modifiers) {
     std::vector<int> handles;
-    for (const auto& pin : session().pins())
+    for (const auto& pin : session().gestures().pins())
         if (isTaken(pin)) handles.push_back(pin.handle);
     session().selection().pick(handles, pickBy(modifiers));
 }
@@ -392,7 +392,7 @@ void PinTool::cancel() {
 QString PinTool::hint() const {
     const bool waits = m_gesture == Gesture::None, isOver = waits && m_over;
     if (m_gesture == Gesture::Curve || (isOver && curvePointAt(m_at) > 0)) return curveHint(true);
-    if (isRecording(session())) return recordingHint();
+    if (isRecording(session().gestures())) return recordingHint();
     if (m_gesture == Gesture::Widen)
         return QCoreApplication::translate("PinTool", "Drag as far as the pin should hold; Esc cancels");
     const bool moves = m_gesture == Gesture::Drag && m_gizmo->part().kind == Grip::Kind::Move;
@@ -474,7 +474,7 @@ QCursor PinTool::cursor() const {
 
 void PinTool::paint(QPainter& painter) const {
     m_curve.paint(painter, m_at);
-    paintRecording(painter, session(), m_at + QPointF(16, -34));
+    paintRecording(painter, session().gestures(), session().playback().speed(), m_at + QPointF(16, -34));
     if (session().selection().isEmpty()) m_cross.paint(painter);
     if (m_gesture == Gesture::Marquee) return m_outline.paint(painter);
     if (m_gesture == Gesture::Widen) return paintWidened(painter);
@@ -489,7 +489,7 @@ void PinTool::paint(QPainter& painter) const {
 }
 
 void PinTool::paintWidened(QPainter& painter) const {
-    for (const auto& pin : session().pins()) {
+    for (const auto& pin : session().gestures().pins()) {
         if (pin.handle != m_pressed) continue;
         const QPointF centre = view().onScreen(pin.centre);
         painter.setPen(QPen(QColor(kAccent), marked(2)));

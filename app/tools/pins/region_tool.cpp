@@ -64,7 +64,7 @@ QString RegionTool::hint() const {
 void RegionTool::press(const QMouseEvent& event) {
     m_from = m_at = event.position();
     const SolidHit hit = view().pick(m_at);
-    const auto frame = session().frame<3>();
+    const auto frame = session().motion().frame<3>();
     m_active = hit.cell >= 0 && frame;
     if (!m_active) return;
     m_centre = hit.point;
@@ -96,7 +96,7 @@ void RegionTool::release(const QMouseEvent& event) {
 void RegionTool::take(Qt::KeyboardModifiers with) {
     const auto vertices = frame()->verticesInside(region());
     if (vertices.empty())
-        return session().notify(
+        return session().document().notify(
             QCoreApplication::translate("RegionTool", "There is no vertex in this region."));
     if (changePart(view(), vertices, with)) return;
     session().addHandle(region(), QCoreApplication::translate("RegionTool", "Region").toStdString());
@@ -112,7 +112,7 @@ bool RegionTool::key(const QKeyEvent& event) {
 
 /// The region where the solid now is, with the vertices in it.
 void RegionTool::paint(QPainter& painter) const {
-    const auto frame = session().frame<3>();
+    const auto frame = session().motion().frame<3>();
     if (!m_active || isClick() || !frame) return;
     const Region<3> drawn = region();
     const auto& rest = frame->rest->points;

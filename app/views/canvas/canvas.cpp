@@ -49,7 +49,7 @@ QRectF boxOf(const Points<2>& points) {
 }  // namespace
 
 ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_viewport(*this, *this, *this, session, 2) {
+    : QWidget(parent), m_session(session), m_viewport(*this, *this, *this, *this) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(320, 240);
@@ -62,8 +62,8 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
     });
     connect(&m_renderer, &RenderThread::rendered, this, &ShapeCanvas::takeRendered);
     connect(&m_session.document(), &Document::opened, this, &ShapeCanvas::takeOpened);
-    connect(&m_session, &ShapeSession::frameChanged, this, &ShapeCanvas::takeFrame);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &ShapeCanvas::redraw);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &ShapeCanvas::takeFrame);
+    connect(&m_session.gestures(), &ShapeGesture::pinsChanged, this, &ShapeCanvas::redraw);
     connect(&m_session.document(), &Document::projectChanged, this, [this] { m_preview.takeProject(); });
 }
 
@@ -73,9 +73,9 @@ bool ShapeCanvas::showsPicture() const {
 }
 
 bool ShapeCanvas::isSettled() const {
-    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && m_session.frame() &&
-           m_drawn->request.frame == drawnFrame() && m_drawn->request.view == m_view &&
-           m_drawn->request.plan == plan() &&
+    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa &&
+           m_session.motion().frame() && m_drawn->request.frame == drawnFrame() &&
+           m_drawn->request.view == m_view && m_drawn->request.plan == plan() &&
            (m_drawn->request.allOfPicture == showsPicture() || !m_session.document().domain().parts.empty());
 }
 
@@ -94,7 +94,7 @@ std::vector<bool> ShapeCanvas::untouchable(const SimplicialMesh<2>& rest) const 
 
 /// Returns the visible one of overlapping cells.
 std::optional<Touch> ShapeCanvas::touch(const QPointF& widget) const {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     if (!frame) return {};
     const Vec<2> p = toShape(widget);
     const std::vector<float>& depth = *depths();
@@ -119,13 +119,13 @@ std::optional<Touch> ShapeCanvas::touch(const QPointF& widget) const {
 /// Returns whether another place of the rest shape is visible where this one is in the frame: a pin may be
 /// dragged ahead of it.
 bool ShapeCanvas::isHidden(const Place& place, const Vec3&) const {
-    const FramePtr frame = m_session.frame();
+    const FramePtr frame = m_session.motion().frame();
     const auto seen = frame ? touch(onScreen(frame->at(place))) : std::nullopt;
     return seen && (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
 }
 
 std::vector<VertexMark> ShapeCanvas::marksOf(const std::vector<int>& vertices) const {
-    const FramePtr frame = m_session.frame();
+    const FramePtr frame = m_session.motion().frame();
     std::vector<VertexMark> marks;
     for (const int v : vertices)
         if (frame && v < frame->vertices) marks.push_back({frame->vertex(v), false});
@@ -133,7 +133,7 @@ std::vector<VertexMark> ShapeCanvas::marksOf(const std::vector<int>& vertices) c
 }
 
 void ShapeCanvas::showMaterial(const FramePtr& painted, bool lasts) {
-    m_preview.set(m_session.frame<2>(), posed<2>(painted), lasts);
+    m_preview.set(m_session.motion().frame<2>(), posed<2>(painted), lasts);
     render();
 }
 
@@ -200,7 +200,7 @@ PosedPtr<2> ShapeCanvas::drawnFrame() const {
 
 /// Returns the depths of the drawn frame; null before the first mesh.
 CellDepths::Values ShapeCanvas::depths() const {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     if (!frame) return nullptr;
     const FramePtr& standIn = m_viewport.looks().standIn;
     const auto seen = standIn ? posed<2>(standIn) : frame;
@@ -228,14 +228,14 @@ std::shared_ptr<const PaintingPlan> ShapeCanvas::plan() const {
 QRectF ShapeCanvas::frameRect() const {
     if (const auto& picture = m_session.document().picture())
         return {0, 0, double(picture->width), double(picture->height)};
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     return frame ? boxOf(frame->rest->points) : QRectF();
 }
 
 /// Includes a shape that was bent beyond its picture, without the mesh's margin.
 QRectF ShapeCanvas::fittedRect() const {
     const QRectF rest = frameRect();
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     if (!frame || rest.isEmpty()) return rest;
     const QRectF pose = boxOf(frame->pose);
     const double x = kSeenBeyond * rest.width(), y = kSeenBeyond * rest.height();
@@ -243,7 +243,7 @@ QRectF ShapeCanvas::fittedRect() const {
 }
 
 void ShapeCanvas::takeFrame() {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     const bool first = !m_drawn && !m_session.document().picture() && frame;
     if (first) takeTexture(*frame);
     if (frame) takeParts(*frame);
@@ -277,8 +277,8 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
     request.range = looks.colours.range;
     request.opacity = looks.colours.opacity;
     request.smooth = looks.colours.smooth;
-    if (request.map) request.plain = plainValue(m_session, request.measure);
-    if (request.map) request.velocity = fieldOf(m_session, request.measure);
+    if (request.map) request.plain = plainValue(m_session.motion(), request.measure);
+    if (request.map) request.velocity = fieldOf(m_session.motion(), request.measure);
     const Theme theme = Theme::of(palette());
     request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.ground = !m_picture                 ? theme.workspace
@@ -289,12 +289,12 @@ RenderRequest ShapeCanvas::request(Filter filter) const {
 }
 
 QImage ShapeCanvas::smallView(const QSize& size) const {
-    const auto small = smallRequest(m_session.frame<2>(), size);
+    const auto small = smallRequest(m_session.motion().frame<2>(), size);
     return small && m_picture ? RenderThread::render(*small) : QImage();
 }
 
 std::optional<RenderRequest> ShapeCanvas::smallRequest(const PosedPtr<2>& frame, const QSize& size) const {
-    if (!frame || !m_session.frame() || m_viewport.looks().standIn) return {};  // owner of the plan
+    if (!frame || !m_session.motion().frame() || m_viewport.looks().standIn) return {};  // owner of the plan
     RenderRequest small = request(Filter::Ewa);
     small.frame = frame;
     small.mesh = small.map = small.allOfPicture = false;
@@ -308,7 +308,7 @@ void ShapeCanvas::render() {
     m_viewport.showLegendLock();
     if (drawnFrame() && (pictureOf(drawnFrame()) || !m_session.document().picture())) {
         m_renderer.post(request(Filter::Bilinear));
-        m_refine.start(m_session.isDragging() ? kRefineInDrag : kRefineAfter);
+        m_refine.start(m_session.motion().isDragging() ? kRefineInDrag : kRefineAfter);
     }
     redraw();
 }
@@ -358,7 +358,7 @@ void ShapeCanvas::zoomBy(double factor) {
 }
 
 void ShapeCanvas::showWorst() {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
     if (cell >= 0) showPlace(inPlane(frame->centreOf(cell)));
 }
@@ -399,7 +399,7 @@ void ShapeCanvas::navigate(QMouseEvent& event, bool pans) {
 }
 
 QString ShapeCanvas::pointerText(const QPointF& at) {
-    if (!m_session.frame()) return {};
+    if (!m_session.motion().frame()) return {};
     const QLocale locale;
     const Vec<2> p = toShape(at);
     return QStringLiteral("%1, %2").arg(locale.toString(p.x(), 'f', 1), locale.toString(p.y(), 'f', 1));
@@ -442,7 +442,7 @@ void ShapeCanvas::paintShape(QPainter& painter) {
 
 /// Pins are hidden during playback.
 void ShapeCanvas::paintOver(QPainter& painter) {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     const Looks& looks = m_viewport.looks();
     if (looks.hidden || !frame) return;
     const Theme theme = Theme::of(palette());
@@ -453,7 +453,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
         paintFaults(painter, *this, *frame, *m_faults);
     if (looks.marks || (looks.map && measure == Measure::Stiffness))
         paintStiffnessMarks(painter, *this, size());
-    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.velocity(), size());
+    if (looks.arrows) paintVelocityArrows(painter, *this, m_session.motion().velocity(), size());
     m_layer.setLayer(looks.layer);
     m_layer.paint(painter, *this);
     m_detailRegions.paint(painter, *this);
@@ -475,7 +475,7 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     const Theme theme = Theme::of(palette());
     Ground::Look look{m_view, size(), devicePixelRatioF(), {}, looks.backdrop, theme.dark};
     if (m_session.document().picture()) look.paper = frameRect();
-    m_ground.paint(painter, look, theme, m_session.isDragging() || m_session.playback().isPlaying());
+    m_ground.paint(painter, look, theme, m_session.motion().isDragging() || m_session.playback().isPlaying());
     m_onion.setShown(looks.onionSkin);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!looks.hidden) m_onion.paintFills(painter, *this);

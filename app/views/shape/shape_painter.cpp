@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <functional>
 
 #include "app/engine/motion/pose_places.h"
 #include "app/project/design.h"
@@ -34,67 +33,6 @@ Axis axisOf(int dimension, int k) {
         return k == 0 ? Axis{QColor(0xd4, 0x3d, 0x51), 22} : Axis{QColor(0x12, 0xa5, 0x94), 14};
     return {kSpaceAxes[k], 26};
 }
-
-/// Returns the look of a pin; `area`: it is more than a point.
-Marks::Pin pinLook(const ShapeSession& session, const PinView& view, bool area, int hovered) {
-    const Pin& handle = session.document().design().handles[view.handle];
-    return {session.selection().contains(view.handle),
-            view.handle == hovered,
-            area,
-            !handle.motions.empty() || session.isDragging(),
-            pinColour(view.handle, handle.traits),
-            handle.traits.locked};
-}
-
-/// Lines from each pin that is selected or pointed at to those that move together with it.
-template <class OnScreen>
-void paintLinks(Marks& marks, const ShapeSession& session, const std::vector<PinView>& pins, int hovered,
-                const OnScreen& onScreen) {
-    const auto& handles = session.document().design().handles;
-    for (const PinView& one : pins) {
-        const int link = handles[one.handle].traits.link;
-        if (link == 0 || (one.handle != hovered && !session.selection().contains(one.handle))) continue;
-        for (const PinView& other : pins)
-            if (other.handle != one.handle && handles[other.handle].traits.link == link)
-                marks.line({onScreen(one.centre), onScreen(other.centre)}, kInk, 1, Qt::DotLine);
-    }
-}
-
-/// The pins of a view. Covered pins are faint and below the others; inactive ones are at the bottom.
-struct PinScene {
-    const ShapeSession& session;
-    std::vector<PinView> pins;
-    int hovered, named;
-    std::function<QPointF(const Vec3&)> onScreen;
-    std::function<bool(const PinView&)> isArea, isCovered;
-
-    void paint(QPainter& painter, Marks& marks) {
-        paintGhosts(marks);
-        paintLinks(marks, session, pins, hovered, onScreen);
-        const auto seen = std::stable_partition(pins.begin(), pins.end(),
-                                                [this](const auto& view) { return isCovered(view); });
-        painter.setOpacity(kCoveredOpacity);
-        for (auto view = pins.begin(); view != pins.end(); ++view) {
-            if (view == seen) painter.setOpacity(1);
-            marks.pin(onScreen(view->centre), pinLook(session, *view, isArea(*view), hovered));
-        }
-        painter.setOpacity(1);
-        for (const auto& view : pins)
-            if (isNamed(view)) marks.name(onScreen(view.centre), view.name);
-    }
-    bool isNamed(const PinView& view) const { return view.handle == hovered && view.handle == named; }
-    void paintGhosts(Marks& marks) const {
-        const auto ghosts = session.ghosts();
-        const auto& handles = session.document().design().handles;
-        for (const PinView& view : ghosts)
-            marks.ghost(onScreen(view.centre), session.selection().contains(view.handle),
-                        view.handle == hovered);
-        for (const PinView& view : ghosts)
-            if (isNamed(view))
-                marks.name(onScreen(view.centre),
-                           ghostName(handles[view.handle], view.name, session.playback().time()));
-    }
-};
 
 }  // namespace
 
@@ -144,14 +82,14 @@ void ShapePainter::frame(const Vec3& at, const Mat<3>& axes) {
 
 void ShapePainter::paths(int hovered) {
     if (!isOfDocument()) return;
-    m_marks.setQuick(session().isDragging());
-    const double time = session().playback().time();
-    const auto& handles = session().document().design().handles;
+    m_marks.setQuick(m_view.session().motion().isDragging());
+    const double time = m_view.session().playback().time();
+    const auto& handles = m_view.session().document().design().handles;
     for (const bool selected : {false, true})
         for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-            if (handles[h].motions.empty() || session().selection().contains(h) != selected) continue;
+            if (handles[h].motions.empty() || m_view.session().selection().contains(h) != selected) continue;
             if (handles[h].activeTo <= time || handles[h].traits.hidden) continue;  // released
-            const auto starts = shownStarts(session().pathStarts(h));
+            const auto starts = shownStarts(m_view.session().pins().pathStarts(h));
             if (starts.empty()) continue;
             for (const PinPath& one : pinPaths(handles[h], starts, m_view.dimension()))
                 m_marks.path(onScreen(one.points), one.times, selected, time, h == hovered);
@@ -163,7 +101,7 @@ void ShapePainter::paths(int hovered) {
 
 /// Draws the points that a handle of a picture holds.
 void ShapePainter::spots(const PinView& pin) {
-    const bool selected = session().selection().contains(pin.handle);
+    const bool selected = m_view.session().selection().contains(pin.handle);
     const QPolygonF places = onScreen(pin.points);
     m_marks.spots({places.begin(), places.end()}, selected ? m_theme.accent : kInk, 3.2, QPen(Qt::white, 1));
 }
@@ -171,10 +109,10 @@ void ShapePainter::spots(const PinView& pin) {
 /// Draws the vertices that a handle of a solid holds where they are visible; of a selected one also hidden
 /// ones, faintly.
 void ShapePainter::seenSpots(const PinView& pin) {
-    const bool selected = session().selection().contains(pin.handle);
+    const bool selected = m_view.session().selection().contains(pin.handle);
     const double r = selected ? 2.3 : 1.7;
     std::vector<QPointF> seen, hidden;
-    for (const VertexMark& mark : m_view.marksOf(session().verticesOf(pin.handle)))
+    for (const VertexMark& mark : m_view.marksOf(m_view.session().pins().verticesOf(pin.handle)))
         (mark.hidden ? hidden : seen).push_back(m_view.onScreen(mark.at));
     QColor fill = selected ? m_theme.accent : kInk;
     fill.setAlpha(70);
@@ -185,10 +123,11 @@ void ShapePainter::seenSpots(const PinView& pin) {
 
 /// A part of a picture that is held as a whole: its outline veils nothing until it is pointed at.
 void ShapePainter::area(const PinView& pin, bool hovered) {
-    const FramePtr frame = session().frame();
+    const FramePtr frame = m_view.session().motion().frame();
     if (!frame) return;
-    const bool selected = session().selection().contains(pin.handle);
-    QPolygonF border = onScreen(regionBorder(session().document().design().handles[pin.handle], pin, *frame));
+    const bool selected = m_view.session().selection().contains(pin.handle);
+    QPolygonF border =
+        onScreen(regionBorder(m_view.session().document().design().handles[pin.handle], pin, *frame));
     if (border.isEmpty()) return;
     border << border.first();
     if (hovered) {
@@ -204,9 +143,9 @@ void ShapePainter::area(const PinView& pin, bool hovered) {
 
 /// The outline of the region of a selected handle of a solid, carried to where its vertices are now.
 void ShapePainter::carriedRegion(const PinView& pin) {
-    const auto frame = session().frame<3>();
-    const auto* region = std::get_if<Region<3>>(&session().document().design().handles[pin.handle].at);
-    if (!region || !frame || !session().selection().contains(pin.handle)) return;
+    const auto frame = m_view.session().motion().frame<3>();
+    const auto* region = std::get_if<Region<3>>(&m_view.session().document().design().handles[pin.handle].at);
+    if (!region || !frame || !m_view.session().selection().contains(pin.handle)) return;
     const auto& rest = frame->rest->points;
     std::vector<Vec3> held;
     for (const int v : frame->verticesInside(*region)) held.push_back(frame->restVertex(v));
@@ -219,8 +158,8 @@ void ShapePainter::carriedRegion(const PinView& pin) {
 
 void ShapePainter::pins(int hovered, int named) {
     if (!isOfDocument()) return;
-    const std::vector<PinView> pins = session().pins();
-    m_marks.setQuick(session().isDragging());
+    std::vector<PinView> pins = m_view.session().gestures().pins();
+    m_marks.setQuick(m_view.session().motion().isDragging());
     for (const PinView& pin : pins)
         if (pin.region) isFlat() ? area(pin, pin.handle == hovered) : carriedRegion(pin);
     for (const PinView& pin : pins) {
@@ -228,18 +167,59 @@ void ShapePainter::pins(int hovered, int named) {
         if (!isFlat()) seenSpots(pin);
         if (isFlat() && !pin.region) spots(pin);
     }
-    PinScene{session(),
-             pins,
-             hovered,
-             named,
-             [this](const Vec3& p) { return m_view.onScreen(p); },
-             [this](const PinView& pin) { return isFlat() ? pin.region : pin.points.size() > 1; },
-             [this](const PinView& pin) { return isMarkCovered(m_view, pin); }}
-        .paint(m_painter, m_marks);
+    paintGhosts(hovered, named);
+    paintLinks(pins, hovered);
+    const auto seen =
+        std::ranges::stable_partition(pins, [this](const auto& pin) { return isMarkCovered(m_view, pin); });
+    m_painter.setOpacity(kCoveredOpacity);
+    for (auto pin = pins.begin(); pin != pins.end(); ++pin) {
+        if (pin == seen.begin()) m_painter.setOpacity(1);
+        m_marks.pin(m_view.onScreen(pin->centre), lookOf(*pin, hovered));
+    }
+    m_painter.setOpacity(1);
+    for (const PinView& pin : pins)
+        if (pin.handle == hovered && pin.handle == named) m_marks.name(m_view.onScreen(pin.centre), pin.name);
+}
+
+Marks::Pin ShapePainter::lookOf(const PinView& pin, int hovered) const {
+    const Pin& handle = m_view.session().document().design().handles[pin.handle];
+    return {m_view.session().selection().contains(pin.handle),
+            pin.handle == hovered,
+            isFlat() ? pin.region : pin.points.size() > 1,
+            !handle.motions.empty() || m_view.session().motion().isDragging(),
+            pinColour(pin.handle, handle.traits),
+            handle.traits.locked};
+}
+
+/// Draws the handles that do not hold at the shown time, below the others.
+void ShapePainter::paintGhosts(int hovered, int named) {
+    const auto ghosts = m_view.session().gestures().ghosts();
+    const auto& handles = m_view.session().document().design().handles;
+    for (const PinView& pin : ghosts)
+        m_marks.ghost(m_view.onScreen(pin.centre), m_view.session().selection().contains(pin.handle),
+                      pin.handle == hovered);
+    for (const PinView& pin : ghosts)
+        if (pin.handle == hovered && pin.handle == named)
+            m_marks.name(m_view.onScreen(pin.centre),
+                         ghostName(handles[pin.handle], pin.name, m_view.session().playback().time()));
+}
+
+/// Draws lines from each pin that is selected or pointed at to those that move together with it.
+void ShapePainter::paintLinks(const std::vector<PinView>& pins, int hovered) {
+    const auto& handles = m_view.session().document().design().handles;
+    for (const PinView& one : pins) {
+        const int link = handles[one.handle].traits.link;
+        const bool isShown = one.handle == hovered || m_view.session().selection().contains(one.handle);
+        if (link == 0 || !isShown) continue;
+        for (const PinView& other : pins)
+            if (other.handle != one.handle && handles[other.handle].traits.link == link)
+                m_marks.line({m_view.onScreen(one.centre), m_view.onScreen(other.centre)}, kInk, 1,
+                             Qt::DotLine);
+    }
 }
 
 void ShapePainter::groups(const std::vector<GroupMark>& groups) {
-    if (!session().frame()) return;
+    if (!m_view.session().motion().frame()) return;
     for (const GroupMark& group : groups) {
         std::vector<QPointF> places;
         for (const VertexMark& mark : m_view.marksOf(group.vertices))

@@ -41,9 +41,8 @@ class ShapePainter {
     }
 
   private:
-    ShapeSession& session() const { return m_view.session(); }
     bool isFlat() const { return m_view.dimension() == 2; }
-    bool isOfDocument() const { return session().document().dimension() == m_view.dimension(); }
+    bool isOfDocument() const { return m_view.session().document().dimension() == m_view.dimension(); }
     QPolygonF onScreen(const std::vector<Vec3>& points) const;
     template <int Dim>
     void frames(const Pin& handle, const Vec<Dim>& start);
@@ -52,6 +51,9 @@ class ShapePainter {
     void seenSpots(const PinView& pin);
     void area(const PinView& pin, bool hovered);
     void carriedRegion(const PinView& pin);
+    Marks::Pin lookOf(const PinView& pin, int hovered) const;
+    void paintGhosts(int hovered, int named);
+    void paintLinks(const std::vector<PinView>& pins, int hovered);
 
     QPainter& m_painter;
     Marks m_marks;

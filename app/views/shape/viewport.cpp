@@ -15,14 +15,8 @@ constexpr double kClickPixels = 4;
 
 }  // namespace
 
-Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& session, int dimension,
-                   Tool* over)
-    : m_view(view),
-      m_widget(widget),
-      m_overlay(overlay),
-      m_session(session),
-      m_dimension(dimension),
-      m_over(over) {
+Viewport::Viewport(View& view, ShapeView& shape, QWidget& widget, QWidget& overlay, Tool* over)
+    : m_view(view), m_shape(shape), m_widget(widget), m_overlay(overlay), m_over(over) {
     m_dim.setSingleShot(true);
     m_dim.setInterval(kDimAfter);
     m_marksDue.setSingleShot(true);
@@ -30,7 +24,7 @@ Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& 
     m_nameDue.setInterval(kNameAfter);
     const auto paint = qOverload<>(&QWidget::update);
     connect(&m_dim, &QTimer::timeout, this, [this] {
-        m_dimmed = m_session.isStale();
+        m_dimmed = m_shape.session().motion().isStale();
         m_view.showLooks();
     });
     connect(&m_marksDue, &QTimer::timeout, &m_overlay, paint);
@@ -38,9 +32,9 @@ Viewport::Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& 
         m_named = m_pointedAt;
         m_overlay.update();
     });
-    connect(&m_session.playback(), &Playback::playingChanged, &m_overlay, paint);
-    connect(&m_session.document(), &Document::opened, this, &Viewport::wantField);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &Viewport::lookAgain);
+    connect(&m_shape.session().playback(), &Playback::playingChanged, &m_overlay, paint);
+    connect(&m_shape.session().document(), &Document::opened, this, &Viewport::wantField);
+    connect(&m_shape.session().gestures(), &ShapeGesture::pinsChanged, this, &Viewport::lookAgain);
     m_widget.installEventFilter(this);
 }
 
@@ -63,12 +57,13 @@ void Viewport::setTool(Tool* tool) {
 /// Emits the hint of a tool. Without a solid no tool applies. Shapes of the other dimension are reported by
 /// the other view.
 void Viewport::tellHint(const Tool& tool) {
-    if (m_session.document().dimension() == m_dimension)
-        emit hintChanged(m_dimension == 2 || m_session.frame() ? tool.hint() : QString());
+    if (m_shape.session().document().dimension() == m_shape.dimension())
+        emit hintChanged(m_shape.dimension() == 2 || m_shape.session().motion().frame() ? tool.hint()
+                                                                                        : QString());
 }
 
 void Viewport::lookAgain() {
-    if (!m_tool || m_active || m_session.isDragging()) return;
+    if (!m_tool || m_active || m_shape.session().motion().isDragging()) return;
     m_tool->lookAgain();
     updateCursor();
     tellHint(*m_tool);
@@ -80,18 +75,18 @@ void Viewport::cancelGesture() {
 }
 
 void Viewport::takeFrame() {
-    const bool hasShape = m_session.frame() != nullptr;
+    const bool hasShape = m_shape.session().motion().frame() != nullptr;
     if (std::exchange(m_hasShape, hasShape) != hasShape && m_tool) tellHint(*m_tool);
-    if (m_session.isStale() && !m_dimmed) {
+    if (m_shape.session().motion().isStale() && !m_dimmed) {
         if (!m_dim.isActive()) m_dim.start();
-    } else if (!m_session.isStale()) {
+    } else if (!m_shape.session().motion().isStale()) {
         m_dim.stop();
         m_dimmed = false;
     }
 }
 
 void Viewport::redraw(int milliseconds) {
-    if (!m_session.isDragging())
+    if (!m_shape.session().motion().isDragging())
         m_overlay.update();
     else if (!m_marksDue.isActive())
         m_marksDue.start(milliseconds);
@@ -105,8 +100,8 @@ void Viewport::takeLooks() {
 
 /// Fields for shapes of the other dimension are requested by the other view.
 void Viewport::wantField() {
-    if (m_session.document().dimension() == m_dimension)
-        m_session.setFieldWanted(
+    if (m_shape.session().document().dimension() == m_shape.dimension())
+        m_shape.session().motion().setFieldWanted(
             wantedField(m_looks.map, m_looks.colours.measure, m_looks.arrows || m_looks.values));
 }
 
@@ -116,13 +111,13 @@ void Viewport::setRangeKeeper(QAction& keep) {
 }
 
 void Viewport::showLegendLock() {
-    if (m_lock) m_lock->setVisible(showsMap() && m_session.frame());
+    if (m_lock) m_lock->setVisible(showsMap() && m_shape.session().motion().frame());
 }
 
 void Viewport::paintLegend(QPainter& painter, const QSize& size) const {
     if (showsMap())
         paintLegendCard(painter, size, m_looks.colours.measure, m_looks.colours.range, m_widget.palette(),
-                        m_dimension);
+                        m_shape.dimension());
 }
 
 // --- Pointer and key events on a shape ---

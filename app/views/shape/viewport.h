@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/session/shape_session.h"
+#include "app/tools/shape_view.h"
 #include "app/tools/tool.h"
 #include "app/views/shape/looks.h"
 
@@ -37,8 +37,7 @@ class Viewport : public QObject {
     };
     /// `overlay` is the widget with the marks; `over` is a tool that takes precedence over the active one for
     /// the events that it accepts.
-    Viewport(View& view, QWidget& widget, QWidget& overlay, ShapeSession& session, int dimension,
-             Tool* over = nullptr);
+    Viewport(View& view, ShapeView& shape, QWidget& widget, QWidget& overlay, Tool* over = nullptr);
 
     void setTool(Tool* tool);
     Tool* tool() const { return m_tool; }
@@ -103,9 +102,8 @@ class Viewport : public QObject {
     void wantField();
 
     View& m_view;
+    ShapeView& m_shape;
     QWidget &m_widget, &m_overlay;
-    ShapeSession& m_session;
-    int m_dimension;
     Tool *m_over, *m_tool = nullptr;
     Tool* m_active = nullptr;                         // the one that has the pointer …
     Qt::MouseButton m_activeButton = Qt::LeftButton;  // … as long as this is down

@@ -53,22 +53,6 @@ void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& 
     }
 }
 
-/// Returns the points of the pins and their paths as they are drawn.
-std::vector<Vec<3>> pathPoints(ShapeSession& session) {
-    std::vector<Vec<3>> points;
-    for (const PinView& view : session.pins()) points.push_back(view.centre);
-    const auto& handles = session.document().design().handles;
-    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        const auto starts = session.pathStarts(h);
-        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
-        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
-            points.insert(points.end(), path.points.begin(), path.points.end());
-            if (session.selection().contains(h)) addDirections(handles[h], path, points);
-        }
-    }
-    return points;
-}
-
 }  // namespace
 
 SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
@@ -78,11 +62,11 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
           *this, [this](const CutPlane& plane) { setCutPlane(plane); },
           [this] { return m_viewport.tool() && m_viewport.tool()->hasManipulator(); }),
       m_overlay(new Overlay(*this)),
-      m_viewport(*this, *this, *m_overlay, session, 3, &m_cutTool) {
+      m_viewport(*this, *this, *this, *m_overlay, &m_cutTool) {
     setMinimumSize(320, 240);
     applyTheme();
-    connect(&m_session, &ShapeSession::frameChanged, this, &SolidCanvas::takeFrame);
-    connect(&m_session, &ShapeSession::pinsChanged, this, &SolidCanvas::redraw);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &SolidCanvas::takeFrame);
+    connect(&m_session.gestures(), &ShapeGesture::pinsChanged, this, &SolidCanvas::redraw);
     connect(&m_session.document(), &Document::projectChanged, this, [this] {
         m_preview.takeProject();
         takeUpAxis();
@@ -120,7 +104,7 @@ void SolidCanvas::redraw() {
 
 /// Cancels gestures with cells and vertices of an old mesh.
 void SolidCanvas::takeFrame() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     const std::shared_ptr<const void> mesh = frame ? frame->shape : nullptr;
     if (std::exchange(m_mesh, mesh) != mesh) m_viewport.cancelGesture();
     m_viewport.takeFrame();
@@ -139,7 +123,7 @@ bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
 }
 
 bool SolidCanvas::hasDetail() const {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     return frame && hasDetail(*frame);
 }
 
@@ -197,13 +181,13 @@ void SolidCanvas::refresh() {
     if (frame->live || m_session.playback().isPlaying()) hurry();
     setPicture(std::move(picture), m_toFit && m_fitted);
     if (isNew) takeKeptCamera();
-    m_toFit = m_toFit && m_session.isStale();
+    m_toFit = m_toFit && m_session.motion().isStale();
     showGlyphs(*frame);
     m_overlay->update();  // with the solid: the window is put together once
 }
 
 bool SolidCanvas::isMoving() const {
-    return VolumeView::isMoving() || m_session.isDragging() || m_session.playback().isPlaying();
+    return VolumeView::isMoving() || m_session.motion().isDragging() || m_session.playback().isPlaying();
 }
 
 void SolidCanvas::setHeld(bool held) {
@@ -212,7 +196,7 @@ void SolidCanvas::setHeld(bool held) {
 }
 
 void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
-    if (m_session.frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
+    if (m_session.motion().frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
     const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
     lookAtFirst();
     setPicture(pictureOfSurface(skin->points, skin->triangles,
@@ -276,8 +260,8 @@ void SolidCanvas::resizeEvent(QResizeEvent* event) {
 /// Returns the points to fit the view to, with pins and paths.
 Points<3> SolidCanvas::fitted() const {
     const Points<3> drawn = VolumeView::fitted();
-    if (m_viewport.looks().hidden || !m_session.frame<3>()) return drawn;
-    const std::vector<Vec<3>> marked = pathPoints(m_session);
+    if (m_viewport.looks().hidden || !m_session.motion().frame<3>()) return drawn;
+    const std::vector<Vec<3>> marked = pathPoints();
     Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
     all.leftCols(drawn.cols()) = drawn;
     for (std::size_t i = 0; i < marked.size(); ++i)
@@ -315,7 +299,7 @@ void SolidCanvas::takeUpAxis() {
 /// Keeps the document's camera unless the user has moved it.
 void SolidCanvas::keepCamera() {
     Document& document = m_session.document();
-    if (!m_session.frame<3>() || document.generation() != m_generation) return;
+    if (!m_session.motion().frame<3>() || document.generation() != m_generation) return;
     const SavedCamera now = camera().saved();
     if (m_asOpened == now) return;
     Camera first = camera();
@@ -331,7 +315,7 @@ void SolidCanvas::keepCamera() {
 CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
     CutPlane plane;
     plane.normal = normal;
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
     return plane;
 }
@@ -350,7 +334,7 @@ Vec<3> SolidCanvas::normalToViewer() const {
 }
 
 void SolidCanvas::setCutKind(CutKind kind) {
-    if (kind == solid().cut() || (kind != CutKind::None && !m_session.frame<3>())) {
+    if (kind == solid().cut() || (kind != CutKind::None && !m_session.motion().frame<3>())) {
         emit cutChanged();
         return;
     }
@@ -383,25 +367,42 @@ void SolidCanvas::navigate(QMouseEvent& event, bool pans) {
 }
 
 QString SolidCanvas::pointerText(const QPointF& at) {
-    const bool busy = navigation().isGoingOn() || m_session.isDragging() || !m_session.frame<3>();
+    const bool busy =
+        navigation().isGoingOn() || m_session.motion().isDragging() || !m_session.motion().frame<3>();
     const SolidHit hit = busy ? SolidHit{} : pick(at);
     if (!busy) emit pointedAt(hit.cell, hit.vertex, hit.point);
     if (hit.cell < 0) return {};
     const QLocale locale;
-    const double minimum = 1e-9 * m_session.frame()->diagonal;
+    const double minimum = 1e-9 * m_session.motion().frame()->diagonal;
     const auto number = [&](double x) { return locale.toString(std::abs(x) < minimum ? 0.0 : x, 'g', 4); };
     QString text =
         QStringLiteral("%1, %2, %3").arg(number(hit.point.x()), number(hit.point.y()), number(hit.point.z()));
     text = tr("Cell %1").arg(hit.cell) + QStringLiteral("   ") + text;
     if (!m_viewport.looks().map) return text;
     const Measure measure = m_viewport.looks().colours.measure;
-    const double value = shownValues(m_session, measure)[hit.cell];
+    const double value = shownValues(m_session.motion(), measure)[hit.cell];
     return measureName(measure, 3) + ' ' + measureText(measure, value) + QStringLiteral("   ") + text;
 }
 
 void SolidCanvas::wheelEvent(QWheelEvent* event) {
     m_fitted = false;
     VolumeView::wheelEvent(event);
+}
+
+/// Returns the points of the pins and their paths as they are drawn.
+std::vector<Vec<3>> SolidCanvas::pathPoints() const {
+    std::vector<Vec<3>> points;
+    for (const PinView& view : m_session.gestures().pins()) points.push_back(view.centre);
+    const auto& handles = m_session.document().design().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        const auto starts = m_session.pins().pathStarts(h);
+        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
+        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
+            points.insert(points.end(), path.points.begin(), path.points.end());
+            if (m_session.selection().contains(h)) addDirections(handles[h], path, points);
+        }
+    }
+    return points;
 }
 
 }  // namespace wend

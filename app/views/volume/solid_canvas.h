@@ -32,7 +32,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     Vec<3> viewDirection() const override { return camera().direction(); }
     SolidHit pick(const QPointF& widget) const override;
     std::optional<Touch> touch(const QPointF& widget) const override;
-    FramePtr shownFrame() const override { return m_preview.over(m_session.frame<3>()); }
+    FramePtr shownFrame() const override { return m_preview.over(m_session.motion().frame<3>()); }
     void showMaterial(const FramePtr& painted, bool lasts) override;
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
@@ -124,6 +124,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     void applyTheme();
     Vec<3> normalToViewer() const;
     const std::vector<int>& skinPoints() const;
+    std::vector<Vec<3>> pathPoints() const;
 
     ShapeSession& m_session;
     std::shared_ptr<const void> m_mesh;  // of the last frame

@@ -122,7 +122,7 @@ constexpr std::size_t kMostRays = 4000;  // vertices of one handle beyond which 
 void SolidCanvas::paintOver(QPainter& painter) {
     m_viewport.marksPainted();
     paintMarks(painter);
-    if (m_viewport.looks().hidden || !m_session.frame<3>()) return;
+    if (m_viewport.looks().hidden || !m_session.motion().frame<3>()) return;
     m_layer.setLayer(m_viewport.looks().layer);
     m_layer.paint(painter, *this);
     m_detailRegions.paint(painter, *this);
@@ -134,7 +134,7 @@ void SolidCanvas::paintOver(QPainter& painter) {
 }
 
 void SolidCanvas::paintMarks(QPainter& painter) {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     const Looks& looks = m_viewport.looks();
     const Measure measure = looks.colours.measure;
     if (solid().picture().pose.cols() == 0) return;
@@ -161,7 +161,7 @@ void SolidCanvas::paintMarks(QPainter& painter) {
 /// Adds paint; other places keep their own colours.
 void SolidCanvas::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const {
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
-    const auto plain = plainValue(m_session, measure);
+    const auto plain = plainValue(m_session.motion(), measure);
     const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
     const auto values = cellValues(frame, measure);
     std::vector<QRgb> colours;
@@ -180,7 +180,7 @@ void SolidCanvas::addMap(VolumePicture& picture, const PosedFrame<3>& frame) con
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     if (isPainted(measure)) return addPaint(picture, frame);
     const auto own = [&](QRgb map) { return m_viewport.isDimmed() ? dimmed(map) : map; };
-    const auto values = cellValues(frame, measure, fieldOf(m_session, measure));
+    const auto values = cellValues(frame, measure, fieldOf(m_session.motion(), measure));
     picture.section.reset();
     picture.materials = picture.materials && hasOwnColours(*picture.skin);
     picture.cellColours.clear();
@@ -199,7 +199,7 @@ void SolidCanvas::showGlyphs(const PosedFrame<3>& frame) {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
     if (looks.arrows && !looks.hidden)
-        triangles = velocityArrows(frame, m_session.velocity(), solid().surface(),
+        triangles = velocityArrows(frame, m_session.motion().velocity(), solid().surface(),
                                    isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, solid().surface(), kGlyphColour);
@@ -217,13 +217,13 @@ void SolidCanvas::setFaults(const std::shared_ptr<const PoseFaults<3>>& faults) 
 }
 
 void SolidCanvas::showWorst() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     const int cell = frame ? worstOf(*frame->distortion, m_viewport.looks().colours.measure).cell : -1;
     if (cell >= 0) showPlace(frame->centreOf(cell));
 }
 
 void SolidCanvas::showCell(int cell) {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     if (!frame || cell < 0 || cell >= frame->cells) return;
     m_pointedCell = cell;
     m_pointedOf = frame->shape;
@@ -261,7 +261,7 @@ std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPoin
 /// Returns whether the frame is shown, rather than a file's surface or an earlier mesh with other cells and
 /// vertices.
 bool SolidCanvas::showsFrame() const {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     return frame && solid().picture().rest == frame->rest;
 }
 
@@ -272,7 +272,7 @@ SolidHit SolidCanvas::pick(const QPointF& widget) const {
 std::optional<Touch> SolidCanvas::touch(const QPointF& widget) const {
     const SolidHit hit = pick(widget);
     if (hit.cell < 0) return {};
-    Place place = m_session.frame()->placeIn(hit.cell, hit.point);
+    Place place = m_session.motion().frame()->placeIn(hit.cell, hit.point);
     // A surface may reach out of the solid that takes it along.
     place.weights = place.weights.cwiseMax(0);
     place.weights /= place.weights.sum();
@@ -280,7 +280,7 @@ std::optional<Touch> SolidCanvas::touch(const QPointF& widget) const {
 }
 
 void SolidCanvas::showMaterial(const FramePtr& painted, bool lasts) {
-    m_preview.set(m_session.frame<3>(), posed<3>(painted), lasts);
+    m_preview.set(m_session.motion().frame<3>(), posed<3>(painted), lasts);
     refresh();
 }
 

@@ -3,7 +3,7 @@
 #include <QActionGroup>
 
 #include "app/session/calm_follower.h"
-#include "app/session/pins/curve_making.h"
+#include "app/session/pins/pin_shapes.h"
 
 namespace wend {
 
@@ -57,7 +57,9 @@ void CurveActions::connectActions() {
         connect(action, &QAction::triggered, this,
                 onCurve([kind = kind](CurveEditing& curve) { curve.setKind(kind); }));
     connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
-    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { refresh(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
+        &m_session.motion(), &ShapeMotion::frameChanged);
 }
 
 void CurveActions::refresh() {

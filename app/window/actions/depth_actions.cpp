@@ -50,12 +50,14 @@ DepthActions::DepthActions(ShapeSession& session, QObject* parent)
             [this] { bring(extreme(m_session.document().depth(), false) - 1); });
     connect(plain, &QAction::triggered, this, [this] { bring(0); });
     connect(number, &QAction::triggered, this, &DepthActions::askNumber);
-    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { refresh(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
+        &m_session.motion(), &ShapeMotion::frameChanged);
     refresh();
 }
 
 void DepthActions::refresh() {
-    const bool flat = m_session.document().dimension() == 2 && m_session.frame();
+    const bool flat = m_session.document().dimension() == 2 && m_session.motion().frame();
     const bool can = flat && !m_session.selection().isEmpty();
     const QString why = m_session.document().dimension() == 3 ? tr("A solid has depth of its own.")
                                                               : tr("Select a pin first.");
@@ -70,7 +72,7 @@ void DepthActions::bring(double order) {
                          : order < 0 ? tr("Send to back")
                                      : tr("Depth as drawn"),
                          withHandleDepth(document.depth(), document.design(), m_session.selection().handles(),
-                                         order, m_session.frame()->diagonal));
+                                         order, m_session.motion().frame()->diagonal));
 }
 
 void DepthActions::askNumber() {

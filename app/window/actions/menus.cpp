@@ -62,7 +62,7 @@ void ContextMenu::popUp(const QPoint& global, MenuPlace place) {
 
 void ContextMenu::offerPin() {
     const Actions& a = m_offers.actions;
-    m_menu->addSection(m_offers.session.nameOf(m_offers.session.selection().handles()));
+    m_menu->addSection(m_offers.session.pins().nameOf(m_offers.session.selection().handles()));
     if (m_offers.session.document().dimension() == 2) m_menu->addMenu(m_offers.depth.menu());
     m_offers.pins.fill(*m_menu);
     m_menu->addSeparator();

@@ -136,12 +136,13 @@ void PinActions::makeColours() {
     m_colours->setTitle(tr("&Colour"));
     for (int i = 0; i < names.size(); ++i) {
         const QColor colour = pinColours()[static_cast<std::size_t>(i)];
-        connect(m_colours->addAction(patch(colour), names[i]), &QAction::triggered, this,
-                [this, colour] { setColour(m_session, selected(), colour.rgb() & 0xFFFFFF); });
+        connect(m_colours->addAction(patch(colour), names[i]), &QAction::triggered, this, [this, colour] {
+            setColour(m_session.document(), m_session.pins(), selected(), colour.rgb() & 0xFFFFFF);
+        });
     }
     m_colours->addSeparator();
     connect(m_colours->addAction(tr("By &Place in the List")), &QAction::triggered, this,
-            [this] { setColour(m_session, selected(), {}); });
+            [this] { setColour(m_session.document(), m_session.pins(), selected(), {}); });
     connect(m_colours->addAction(tr("&Other…")), &QAction::triggered, this, &PinActions::askColour);
 }
 
@@ -163,36 +164,42 @@ std::vector<int> PinActions::selected() const {
 }
 
 void PinActions::connectActions() {
-    connect(lock, &QAction::triggered, this, [this](bool on) { setLocked(m_session, selected(), on); });
-    connect(hide, &QAction::triggered, this, [this](bool on) { setHidden(m_session, selected(), on); });
-    connect(link, &QAction::triggered, this, [this](bool on) { setLinked(m_session, selected(), on); });
+    connect(lock, &QAction::triggered, this,
+            [this](bool on) { setLocked(m_session.document(), m_session.pins(), selected(), on); });
+    connect(hide, &QAction::triggered, this,
+            [this](bool on) { setHidden(m_session.document(), m_session.pins(), selected(), on); });
+    connect(link, &QAction::triggered, this,
+            [this](bool on) { setLinked(m_session.document(), m_session.pins(), selected(), on); });
     connect(showAll, &QAction::triggered, this, [this] {
         std::vector<int> hidden;
-        for (int h = 0; h < m_session.handleCount(); ++h)
+        for (int h = 0; h < m_session.pins().count(); ++h)
             if (traitsOf(m_session.document().design(), h).hidden) hidden.push_back(h);
-        setHidden(m_session, hidden, false);
+        setHidden(m_session.document(), m_session.pins(), hidden, false);
     });
     connect(group, &QAction::triggered, this, &PinActions::askGroup);
-    connect(ungroup, &QAction::triggered, this, [this] { setGroup(m_session, selected(), {}); });
+    connect(ungroup, &QAction::triggered, this,
+            [this] { setGroup(m_session.document(), m_session.pins(), selected(), {}); });
     connect(mirror, &QAction::triggered, this, [this] { mirrorPins(m_session); });
     connect(mirrorMotion, &QAction::triggered, this, [this] { wend::mirrorMotion(m_session); });
     connect(holdThroughout, &QAction::triggered, this,
-            [this] { wend::holdThroughout(m_session, selected()); });
-    new CalmFollower(m_session, CalmFollower::Of::Both, this, [this] { refresh(); });
+            [this] { wend::holdThroughout(m_session.document(), m_session.pins(), selected()); });
+    new CalmFollower(
+        m_session.motion(), this, [this] { refresh(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
+        &m_session.motion(), &ShapeMotion::frameChanged);
     // Another file starts with the usual meaning of a drag.
     connect(&m_session.document(), &Document::opened, this, [this] { move->setChecked(true); });
 }
 
 void PinActions::refresh() {
     const std::vector<int> selected = this->selected();
-    const bool has = m_session.frame() && !selected.empty();
+    const bool has = m_session.motion().frame() && !selected.empty();
     const auto count = [&](auto test) { return has ? std::ranges::count_if(selected, test) : 0; };
     const auto all = std::ssize(selected);
     const auto traits = [this](int h) -> const PinTraits& {
         return traitsOf(m_session.document().design(), h);
     };
     for (QAction* grip : {move, turn, grow, selectRectangle, selectLasso, selectBrush})
-        enable(grip, m_session.frame() != nullptr, tr("Open a picture first."));
+        enable(grip, m_session.motion().frame() != nullptr, tr("Open a picture first."));
     const QString none = tr("Select a pin first.");
     for (QAction* action : {lock, hide, group, mirror}) enable(action, has, none);
     m_colours->setEnabled(has);
@@ -201,10 +208,10 @@ void PinActions::refresh() {
     enable(ungroup, grouped > 0, has ? tr("The selected pin is in no group.") : none);
     enable(link, linked > 0 || (has && all > 1), tr("Select several pins first."));
     enable(mirrorMotion, has && canMirrorMotion(m_session), tr("Select a pin that moves."));
-    enable(holdThroughout, has && canHoldLonger(m_session, selected),
+    enable(holdThroughout, has && canHoldLonger(m_session.document(), m_session.pins(), selected),
            has ? tr("The selected pin already holds for the whole animation.") : none);
     bool anyHidden = false;
-    for (int h = 0; m_session.frame() && h < m_session.handleCount(); ++h)
+    for (int h = 0; m_session.motion().frame() && h < m_session.pins().count(); ++h)
         anyHidden = anyHidden || traits(h).hidden;
     enable(showAll, anyHidden, tr("No pin is hidden."));
     lock->setChecked(has && count([&](int h) { return traits(h).locked; }) == all);
@@ -228,7 +235,7 @@ void PinActions::askGroup() {
     dialog.findChild<QComboBox*>()->lineEdit()->selectAll();
     const bool given = dialog.exec() == QDialog::Accepted;
     const QString name = dialog.textValue().trimmed();
-    if (given && !name.isEmpty()) setGroup(m_session, selected(), name);
+    if (given && !name.isEmpty()) setGroup(m_session.document(), m_session.pins(), selected(), name);
 }
 
 void PinActions::askColour() {
@@ -236,7 +243,8 @@ void PinActions::askColour() {
     const QColor colour =
         QColorDialog::getColor(pinColour(first, traitsOf(m_session.document().design(), first)),
                                QApplication::activeWindow(), tr("Colour of the Pin"));
-    if (colour.isValid()) setColour(m_session, selected(), colour.rgb() & 0xFFFFFF);
+    if (colour.isValid())
+        setColour(m_session.document(), m_session.pins(), selected(), colour.rgb() & 0xFFFFFF);
 }
 
 }  // namespace wend

@@ -86,9 +86,9 @@ void ExportPanel::connectAll() {
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
     connect(&m_exporter.crop(), &Crop::changed, this, &ExportPanel::ask);
     connect(&m_exporter, &Exporter::viewTurned, this, &ExportPanel::ask);
-    connect(&m_session, &ShapeSession::frameChanged, this, &ExportPanel::ask);
-    connect(&m_session, &ShapeSession::busyChanged, this, &ExportPanel::ask);
-    connect(&m_session, &ShapeSession::problem, this, &ExportPanel::ask);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &ExportPanel::ask);
+    connect(&m_session.motion(), &ShapeMotion::busyChanged, this, &ExportPanel::ask);
+    connect(&m_session.motion(), &ShapeMotion::problem, this, &ExportPanel::ask);
 }
 
 ExportKind ExportPanel::kind() const {

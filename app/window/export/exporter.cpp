@@ -117,23 +117,24 @@ bool Exporter::isFree() {
 }
 
 QString Exporter::whyNot() const {
-    if (m_session.isBusy()) return tr("The shape is still being computed. Try again in a moment.");
-    if (m_session.frame() && !m_session.isStale() && !m_session.hasFailed()) return {};
+    if (m_session.motion().isBusy()) return tr("The shape is still being computed. Try again in a moment.");
+    if (m_session.motion().frame() && !m_session.motion().isStale() && !m_session.motion().hasFailed())
+        return {};
     return tr("There is no shape to export: it could not be computed.");
 }
 
 FramePtr Exporter::shownFrame() {
     if (!isFree()) return {};
     const QString why = whyNot();
-    if (why.isEmpty()) return m_session.frame();
+    if (why.isEmpty()) return m_session.motion().frame();
     emit failed(why);
     return {};
 }
 
 std::shared_ptr<const FrameExport> Exporter::shownShape() const {
     const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
-    return std::make_shared<const FrameExport>(m_session.document(), m_session.frame(),
-                                               m_session.track().frames(), seconds);
+    return std::make_shared<const FrameExport>(m_session.document(), m_session.motion().frame(),
+                                               m_session.motion().track().frames(), seconds);
 }
 
 ExportSubject Exporter::subject(ExportKind kind) const {

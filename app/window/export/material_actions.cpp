@@ -58,13 +58,13 @@ MaterialActions::MaterialActions(ShapeSession& session, Exporter& exporter, QObj
                 [&exporter, part = part] { exporter.exportMaterial(part); });
     }
     connect(cells, &QAction::triggered, this, &MaterialActions::askCells);
-    connect(&m_session, &ShapeSession::frameChanged, this, &MaterialActions::refresh);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &MaterialActions::refresh);
     refresh();
 }
 
 void MaterialActions::refresh() {
     const bool solid = m_session.document().dimension() == 3;
-    const bool has = m_session.frame() != nullptr;
+    const bool has = m_session.motion().frame() != nullptr;
     const QString why = !has ? tr("Open a picture first.")
                              : tr("For a solid, these are values of cells; they are exported with its mesh.");
     for (const auto* actions : {&bringIn, &write})
@@ -85,7 +85,7 @@ void MaterialActions::take(MaterialPart part, const QString& path) try {
     readImageHeader(path.toStdString());
     Document& document = m_session.document();
     const auto& picture = document.picture();
-    const auto shown = m_session.frame<2>();
+    const auto shown = m_session.motion().frame<2>();
     if (!shown) return;
     const PictureFrame frame =
         pictureFrame(picture ? picture->width : 0, picture ? picture->height : 0, *shown->rest);

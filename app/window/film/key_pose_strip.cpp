@@ -34,8 +34,8 @@ KeyPoseStrip::KeyPoseStrip(ShapeSession& session, TimeScale& scale, QWidget* par
     connect(&m_idle, &QTimer::timeout, this, &KeyPoseStrip::drawNext);
     connect(&session.document(), &Document::opened, this, &KeyPoseStrip::takeKeys);
     connect(&session.document(), &Document::projectChanged, this, &KeyPoseStrip::takeKeys);
-    connect(&session, &ShapeSession::busyChanged, this, &KeyPoseStrip::expire);
-    connect(&session, &ShapeSession::frameChanged, this, &KeyPoseStrip::expire);
+    connect(&session.motion(), &ShapeMotion::busyChanged, this, &KeyPoseStrip::expire);
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, &KeyPoseStrip::expire);
     connect(&scale, &TimeScale::changed, this, &KeyPoseStrip::expire);
     connect(&session.playback(), &Playback::timeChanged, this, qOverload<>(&QWidget::update));
     takeKeys();
@@ -50,7 +50,7 @@ void KeyPoseStrip::setDrawing(PoseDrawing* drawing) {
 void KeyPoseStrip::takeKeys() {
     const Document& document = m_session.document();
     std::set<double> times;
-    const int count = document.isEmpty() ? 0 : m_session.handleCount();
+    const int count = document.isEmpty() ? 0 : m_session.pins().count();
     for (int h = 0; h < count; ++h)
         for (const double time : keyTimes(document.design(), h)) times.insert(time);
     const bool same = std::exchange(m_generation, document.generation()) == document.generation();
@@ -93,7 +93,7 @@ QPixmap KeyPoseStrip::pictureOf(double time) const {
 }
 
 bool KeyPoseStrip::isCurrent(const Pose& pose) const {
-    return pose.frame && pose.frame == m_session.track().at(pose.time);
+    return pose.frame && pose.frame == m_session.motion().track().at(pose.time);
 }
 
 bool KeyPoseStrip::isDone() const {
@@ -107,10 +107,10 @@ void KeyPoseStrip::expire() {
 
 void KeyPoseStrip::drawNext() {
     if (!m_drawing || m_draws || !isVisible()) return;
-    if (m_session.isBusy() || m_session.isDragging() || m_session.playback().isPlaying())
+    if (m_session.motion().isBusy() || m_session.motion().isDragging() || m_session.playback().isPlaying())
         return m_idle.start();
     for (const auto& [pose, place] : placed()) {
-        const FramePtr frame = m_session.track().at(pose->time);
+        const FramePtr frame = m_session.motion().track().at(pose->time);
         if (!frame || frame == pose->frame) continue;
         m_draws = true;
         const QSize pixels = (place.size() * devicePixelRatioF()).toSize();

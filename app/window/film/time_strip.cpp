@@ -64,11 +64,11 @@ TimeStrip::TimeStrip(ShapeSession& session, QWidget* parent)
     connect(&playback, &Playback::playingChanged, this, &TimeStrip::showPlaying);
     connect(&m_session.document(), &Document::opened, this, &TimeStrip::showLength);
     connect(&m_session.document(), &Document::projectChanged, this, &TimeStrip::showLength);
-    connect(&m_session, &ShapeSession::progress, this, [this](double time) {
+    connect(&m_session.motion(), &ShapeMotion::progress, this, [this](double time) {
         m_computed = time;
         update();
     });
-    connect(&m_session, &ShapeSession::busyChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_session.motion(), &ShapeMotion::busyChanged, this, qOverload<>(&QWidget::update));
     showEnd(playback.end());
     showLength();
 }
@@ -143,7 +143,7 @@ void TimeStrip::paintEvent(QPaintEvent*) {
     if (end <= 0 || m_session.document().isEmpty()) return;
     QPainter painter(this);
     paintSettling(painter, end);
-    if (!m_session.isBusy()) return;
+    if (!m_session.motion().isBusy()) return;
     const double part = std::clamp(m_computed / end, 0.0, 1.0);
     painter.fillRect(QRectF(0, 0, width() * part, 2), Theme::of(palette()).accent);
 }

@@ -105,7 +105,7 @@ void TrackView::choose(std::vector<MotionId> bars) {
 /// Returns the chosen bars whose pins are not locked.
 std::vector<MotionId> TrackView::changeable() const {
     std::vector<MotionId> motions = m_chosen;
-    std::erase_if(motions, [this](const MotionId& id) { return !m_session.mayChange(id.handle); });
+    std::erase_if(motions, [this](const MotionId& id) { return !m_session.gestures().mayChange(id.handle); });
     return motions;
 }
 
@@ -140,7 +140,7 @@ void TrackView::mousePressEvent(QMouseEvent* event) {
 
 void TrackView::grab(const Bar& bar, Part part, double at, bool alone) {
     const bool isMotion = bar.motion != kHold;
-    if (!m_session.mayChange(bar.handle)) return;
+    if (!m_session.gestures().mayChange(bar.handle)) return;
     const auto motions = isMotion ? changeable() : std::vector<MotionId>();
     const MotionTime span = isMotion ? spanOf(m_session.document().design(), motions) : bar.time;
     m_grabbed = Grabbed{bar, part, at, motions, span, span, alone};
@@ -243,8 +243,8 @@ void TrackView::fillMenu(QMenu& menu, const Bar& bar) {
     QMenu* keys = menu.addMenu(tr("Simplify to &Keys"));
     for (const auto& [name, pixels] : {std::pair{tr("&Few"), 16}, {tr("&Some"), 4}, {tr("&Many"), 1}})
         keys->addAction(name, this, [this, pixels = pixels] {
-            change(tr("Simplify"),
-                   withFewKeys(m_session.document().design(), changeable(), pixels * m_session.pixel()));
+            change(tr("Simplify"), withFewKeys(m_session.document().design(), changeable(),
+                                               pixels * m_session.motion().pixel()));
         });
     menu.addSeparator();
     menu.addAction(m_chosen.size() > 1 ? tr("&Remove Motions") : tr("&Remove Motion"), this,
@@ -300,7 +300,7 @@ void TrackView::keyPressEvent(QKeyEvent* event) {
         return viewport()->update();
     }
     if (step == 0 || m_rows.empty()) return QAbstractScrollArea::keyPressEvent(event);
-    const int last = static_cast<int>(m_rows.size()) - 1, now = m_session.singleHandle();
+    const int last = static_cast<int>(m_rows.size()) - 1, now = m_session.selection().single();
     const int next = std::clamp(now < 0 ? 0 : now + step, 0, last);
     m_session.selection().set({next});
     const auto& bars = m_rows[static_cast<std::size_t>(next)].bars;

@@ -68,7 +68,7 @@ void TrackView::chooseKeys(std::vector<KeyId> keys) {
 /// Returns the chosen keys whose pins are not locked.
 std::vector<KeyId> TrackView::changeableKeys() const {
     std::vector<KeyId> keys = m_keys;
-    std::erase_if(keys, [this](const KeyId& key) { return !m_session.mayChange(key.handle); });
+    std::erase_if(keys, [this](const KeyId& key) { return !m_session.gestures().mayChange(key.handle); });
     return keys;
 }
 
@@ -82,7 +82,7 @@ bool TrackView::pressKey(const QPointF& at, bool joins) {
     else if (!among)
         next.push_back(*key);
     chooseKeys(std::move(next));
-    if (isChosen(*key) && m_session.mayChange(key->handle))
+    if (isChosen(*key) && m_session.gestures().mayChange(key->handle))
         m_grabbedKeys = GrabbedKeys{*key, timeAt(at.x()), 0, among && !joins};
     return true;
 }
@@ -135,7 +135,7 @@ void TrackView::changeKeys(const QString& what, Design after) {
                   keyTimes(after, row) != keysIn(row);
     }
     if (changes) return change(what, std::move(after));
-    m_session.notify(
+    m_session.document().notify(
         tr("Nothing changes: where a pin begins it is at rest, and rotations keep their course."));
 }
 

@@ -61,7 +61,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
     connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
     connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
     connect(m_scale, &TimeScale::changed, this, repaint);
-    connect(m_sound, &SoundTrack::notice, &session, &ShapeSession::notice);
+    connect(m_sound, &SoundTrack::notice, &session.document(), &Document::notice);
     connect(m_ruler, &TimeRuler::rowsChanged, this, [this, repaint] { arrange(), repaint(); });
     takeProject();
 }
@@ -128,7 +128,7 @@ void TrackView::bringIntoView(int row) {
 
 /// A pin that is chosen alone is brought into view.
 void TrackView::showSelection() {
-    if (const int row = m_session.singleHandle(); row >= 0) bringIntoView(row);
+    if (const int row = m_session.selection().single(); row >= 0) bringIntoView(row);
     viewport()->update();
 }
 

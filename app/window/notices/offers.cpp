@@ -216,14 +216,15 @@ RidingOffer::RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* par
         m_told = 0;
         m_lookedAt.reset();
     });
-    connect(&session, &ShapeSession::frameChanged, this, &RidingOffer::look);
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, &RidingOffer::look);
 }
 
 /// Looks at every project once, when its motion is there.
 void RidingOffer::look() {
     const Document& document = m_session.document();
-    if (document.isEmpty() || document.dimension() != 2 || m_session.isDragging() || m_session.isBusy() ||
-        m_session.isStale() || document.project() == m_lookedAt || !(m_session.playback().end() > 0))
+    if (document.isEmpty() || document.dimension() != 2 || m_session.motion().isDragging() ||
+        m_session.motion().isBusy() || m_session.motion().isStale() || document.project() == m_lookedAt ||
+        !(m_session.playback().end() > 0))
         return;
     m_lookedAt = document.project();
     const std::vector<StrayPart> strays = strayParts(m_session);
@@ -313,7 +314,7 @@ void SpringOffer::follow() {
 
 QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session) {
     QList<InfoBanner::Remedy> remedies;
-    if (session.lacksMemory()) addLessMemory(session.document(), remedies);
+    if (session.motion().lacksMemory()) addLessMemory(session.document(), remedies);
     QUndoStack* steps = session.document().undoStack();
     if (steps->canUndo())
         remedies << InfoBanner::Remedy{remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Undo")),
@@ -322,7 +323,7 @@ QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session) {
 }
 
 ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
-    connect(&session, &ShapeSession::frameChanged, this, &ShapeNotices::follow);
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, &ShapeNotices::follow);
     connect(&session.document(), &Document::opened, this, [this] {  // messages belong to the document
         m_shape.reset();
         m_hasTold = false;
@@ -336,7 +337,7 @@ void ShapeNotices::follow() {
 
 template <int Dim>
 void ShapeNotices::tell() {
-    const auto frame = m_session.frame<Dim>();
+    const auto frame = m_session.motion().frame<Dim>();
     if (!frame || frame->shape == m_shape) return;
     m_shape = frame->shape;
     QStringList lines;
@@ -367,7 +368,7 @@ void ShapeNotices::tell() {
 /// Core names the vertices; the window shows the parts instead.
 template <int Dim>
 QString ShapeNotices::hangingText() const {
-    const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.frame<Dim>()->rest).size());
+    const auto parts = static_cast<int>(hangingParts<Dim>(*m_session.motion().frame<Dim>()->rest).size());
     if (parts == 1)
         return tr(
             "A part is joined to the rest at a single point, and may swing around it unless a pin holds it.");
@@ -379,7 +380,7 @@ QString ShapeNotices::hangingText() const {
 /// Pins one cell of each part, which then neither moves nor rotates, in one step.
 template <int Dim>
 void ShapeNotices::pinHanging() {
-    const auto frame = m_session.frame<Dim>();
+    const auto frame = m_session.motion().frame<Dim>();
     if (!frame) return;
     m_session.document().beginStep();
     for (const HangingPart& part : hangingParts<Dim>(*frame->rest)) {

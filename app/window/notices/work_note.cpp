@@ -57,11 +57,11 @@ WorkNote::WorkNote(ShapeSession& session, QWidget& over)
         raise();
         qApp->installEventFilter(this);
     });
-    connect(m_cancel, &QPushButton::clicked, &session, &ShapeSession::cancelWork);
-    connect(&session, &ShapeSession::busyChanged, this, &WorkNote::takeState);
-    connect(&session, &ShapeSession::frameChanged, this, &WorkNote::takeState);
-    for (const auto told : {&ShapeSession::progress, &ShapeSession::within})
-        connect(&session, told, this, [this](double time, double end) {
+    connect(m_cancel, &QPushButton::clicked, &session.motion(), &ShapeMotion::cancelWork);
+    connect(&session.motion(), &ShapeMotion::busyChanged, this, &WorkNote::takeState);
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, &WorkNote::takeState);
+    for (const auto told : {&ShapeMotion::progress, &ShapeMotion::within})
+        connect(&session.motion(), told, this, [this](double time, double end) {
             m_part = end > 0 ? time / end : 0;
             takeState();
         });
@@ -79,7 +79,7 @@ ShapeInputs WorkNote::inputs() const {
 
 /// A shape is on its way after every change. Its mesh is made only if none of before serves.
 bool WorkNote::makesMesh() const {
-    return m_session.isMeshing() && !(m_meshed.project && sameMesh(m_meshed, inputs()));
+    return m_session.motion().isMeshing() && !(m_meshed.project && sameMesh(m_meshed, inputs()));
 }
 
 /// Returns the first part behind which the ground is to be filled; null if that has been done for all, which
@@ -102,20 +102,20 @@ const PicturePart* WorkNote::filledPart() const {
 void WorkNote::takeState() {
     if (m_session.document().isEmpty())
         m_meshed = {};
-    else if (m_session.frame() && !m_session.isMeshing())
+    else if (m_session.motion().frame() && !m_session.motion().isMeshing())
         m_meshed = inputs();
     follow();
 }
 
 /// Drags need no note; the work that they leave starts the delay again.
 void WorkNote::follow() {
-    const bool works = m_session.isBusy() && !m_session.isDragging();
+    const bool works = m_session.motion().isBusy() && !m_session.motion().isDragging();
     if (!works) {
         m_delay.stop();
         hide();
         qApp->removeEventFilter(this);
     } else if (isHidden()) {
-        if (!m_delay.isActive()) m_delay.start(m_session.frame() ? kWorkDelay : kFirstDelay);
+        if (!m_delay.isActive()) m_delay.start(m_session.motion().frame() ? kWorkDelay : kFirstDelay);
     } else {
         showText();
     }
@@ -164,7 +164,7 @@ bool WorkNote::isCancelKey(QObject* watched, QEvent* event) const {
 bool WorkNote::eventFilter(QObject* watched, QEvent* event) {
     if (watched == parentWidget() && event->type() == QEvent::Resize) place();
     if (!isCancelKey(watched, event)) return QFrame::eventFilter(watched, event);
-    m_session.cancelWork();
+    m_session.motion().cancelWork();
     return true;
 }
 

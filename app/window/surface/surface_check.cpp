@@ -126,7 +126,7 @@ std::vector<SurfaceFix> possible(const Surface& source, const std::vector<Surfac
 
 SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window)
     : QObject(&window), m_session(session), m_panel(panel), m_window(window) {
-    connect(&session, &ShapeSession::problem, this, [this](const QString& text) {
+    connect(&session.motion(), &ShapeMotion::problem, this, [this](const QString& text) {
         hide();
         m_isCaged = false;
         const Document& document = m_session.document();
@@ -139,7 +139,7 @@ SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& 
         m_reading.drop();
         preview();
     });
-    connect(&session, &ShapeSession::frameChanged, this, &SurfaceCheck::takeShape);
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, &SurfaceCheck::takeShape);
     connect(&panel, &SurfacePanel::caseChosen, this, &SurfaceCheck::showCase);
     connect(&panel, &SurfacePanel::solidWanted, this, &SurfaceCheck::showSolid);
     connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
@@ -201,7 +201,7 @@ void SurfaceCheck::look() {
 
 /// A cage that was chosen since something is wrong is no reason not to look at it.
 void SurfaceCheck::takeShape() {
-    const auto frame = m_session.frame<3>();
+    const auto frame = m_session.motion().frame<3>();
     if (!frame) return;
     if (frame->shape == m_shape) return keepPlace();
     m_shape = frame->shape;
@@ -213,7 +213,7 @@ void SurfaceCheck::takeShape() {
 
 /// Computing the same shape keeps the shown fault; moving it does not.
 void SurfaceCheck::keepPlace() {
-    if (m_session.isDragging() || m_session.playback().isPlaying()) m_isPlaceShown = false;
+    if (m_session.motion().isDragging() || m_session.playback().isPlaying()) m_isPlaceShown = false;
     if (!m_isPlaceShown) return;
     QMetaObject::invokeMethod(
         this,

@@ -364,7 +364,7 @@ void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
     m_window->session().document().undoStack()->setClean();
     m_window->openPath(file("square.off"));
     QVERIFY(isOpen("square.off"));
-    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame() != nullptr; }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return m_window->session().motion().frame() != nullptr; }, 60000));
     QVERIFY(m_window->banner().text().isEmpty());
 }
 

@@ -47,7 +47,7 @@ bool TestLegend::pull(SolidFixture& f) {
     session.document().change(QStringLiteral("Film"), film);
     if (!settle(session)) return false;
     session.playback().setTime(1);
-    return QTest::qWaitFor([&] { return session.frame()->time == 1; }, 20000);
+    return QTest::qWaitFor([&] { return session.motion().frame()->time == 1; }, 20000);
 }
 
 /// A typed end locks the range, the legend shows that values are beyond it, and a logarithmic scale has the
@@ -60,7 +60,7 @@ void TestLegend::type() {
     f.window().actions().showMap->setChecked(true);
     DistortionPanel& panel = f.window().properties().distortion();
     const Legend& legend = *panel.findChild<Legend*>();
-    const auto values = shownValues(f.session(), panel.measure());
+    const auto values = shownValues(f.session().motion(), panel.measure());
     const double most = *std::ranges::max_element(values), least = *std::ranges::min_element(values);
     QVERIFY(least > 0 && most > 2 * least);
     auto* low = panel.details()->findChild<QDoubleSpinBox*>(QStringLiteral("mapLow"));
@@ -94,12 +94,13 @@ void TestLegend::quality() {
     SolidFixture f;
     QVERIFY(pull<Dim>(f));
     DistortionPanel& panel = f.window().properties().distortion();
-    const auto frame = f.session().frame<Dim>();
+    const auto frame = f.session().motion().frame<Dim>();
     for (const Measure measure : {Measure::ScaledJacobian, Measure::AspectRatio, Measure::SmallestAngle}) {
         panel.setMeasure(measure);
         const auto shapes = cellShapes<Dim>(frame->pose, frame->rest->cells);
         const auto before = cellShapes<Dim>(frame->rest->points, frame->rest->cells);
-        const auto shown = shownValues(f.session(), measure), rest = restValues(f.session(), measure);
+        const auto shown = shownValues(f.session().motion(), measure),
+                   rest = restValues(f.session().motion(), measure);
         QCOMPARE(shown.size(), shapes.size());
         QCOMPARE(rest.size(), shapes.size());
         const auto of = [&](const CellShape& shape) {
@@ -140,7 +141,7 @@ void TestLegend::lock() {
     QVERIFY(view.rect().adjusted(view.width() / 2, view.height() / 2, 0, 0).contains(button->geometry()));
     const auto rangeAt = [&](double time) {
         session.playback().setTime(time);
-        [&] { QTRY_COMPARE(session.frame()->time, time); }();
+        [&] { QTRY_COMPARE(session.motion().frame()->time, time); }();
         return panel.range().high;
     };
     const double still = rangeAt(0), moved = rangeAt(1);

@@ -72,7 +72,7 @@ class TestPartList : public QObject {
     void stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers modifiers = {});
     bool isPainted(std::size_t part);
     double gap() {
-        const auto frame = m_f->session().frame<2>();
+        const auto frame = m_f->session().motion().frame<2>();
         Vec<2> difference = Vec<2>::Zero();
         for (const auto& [v, weight] : frame->rest->welds.at(0).terms)
             difference += weight * frame->pose.col(v);
@@ -124,7 +124,7 @@ void TestPartList::layersAreParts() {
     flatten->click();
     QVERIFY(parts().empty());
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame<2>()->built->picture->width, 180);
+    QCOMPARE(m_f->session().motion().frame<2>()->built->picture->width, 180);
     QVERIFY(!panel().isVisible());
     undo().undo();
     QVERIFY(settle(m_f->session()));
@@ -156,7 +156,7 @@ void TestPartList::listChangesParts() {
     const Vec<2> at = parts()[2].joints[0].at;  // where bar and board overlap
     QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame<2>()->rest->welds.size(), std::size_t{1});
+    QCOMPARE(m_f->session().motion().frame<2>()->rest->welds.size(), std::size_t{1});
     dragged();
     while (undo().canUndo()) undo().undo();
     QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
@@ -173,13 +173,16 @@ void TestPartList::dragged() {
     session.gestures().begin();
     for (int k = 1; k <= 5; ++k) {
         session.gestures().moveBy({-6.0 * k, 8.0 * k, 0});
-        QTRY_VERIFY(session.frame()->live && session.frame()->amount.norm() > 1);
+        QTRY_VERIFY(session.motion().frame()->live && session.motion().frame()->amount.norm() > 1);
         QVERIFY(gap() < 1e-9);
     }
     session.gestures().end(0.2);
     QVERIFY(settle(session));
     QVERIFY(gap() < 1e-9);
-    QVERIFY((session.frame<2>()->pose - session.frame<2>()->rest->points).colwise().norm().maxCoeff() > 20);
+    QVERIFY((session.motion().frame<2>()->pose - session.motion().frame<2>()->rest->points)
+                .colwise()
+                .norm()
+                .maxCoeff() > 20);
 }
 
 void TestPartList::canvasIsTheExport_data() {
@@ -211,7 +214,7 @@ void TestPartList::canvasIsTheExport() {
     m_f->window().canvas().viewport().set(&Looks::hidden, true);
     QTRY_VERIFY_WITH_TIMEOUT(canvas.isSettled(), 20000);
     const QString path = m_folder.filePath("out.png");
-    const FrameExport frame(session.document(), session.frame(), {}, 1);
+    const FrameExport frame(session.document(), session.motion().frame(), {}, 1);
     std::string remark;
     frame.write(ExportKind::Picture, path.toStdString(), {}, {}, remark);
     const QImage file(path), drawn = canvas.drawn()->image;
@@ -276,7 +279,7 @@ void TestPartList::picturesOpenTogether() {
     QCOMPARE(m_f->session().document().picture()->width, 90);
     QVERIFY(m_f->window().findChild<InfoBanner*>()->text().contains("2 pictures"));
     const QString written = m_folder.filePath("out.ora");
-    const FrameExport frame(m_f->session().document(), m_f->session().frame(), {}, 1);
+    const FrameExport frame(m_f->session().document(), m_f->session().motion().frame(), {}, 1);
     QVERIFY(frame.hasParts());
     std::string remark;
     frame.write(ExportKind::Picture, written.toStdString(), {}, {}, remark);
@@ -298,7 +301,7 @@ void TestPartList::partsHaveTheirOutlines() {
     QVERIFY(settle(m_f->session()));
     MeshPanel& mesh = m_f->window().properties().mesh();
     const auto boxOf = [this](const std::string& name) {
-        const auto frame = m_f->session().frame<2>();
+        const auto frame = m_f->session().motion().frame<2>();
         Eigen::AlignedBox2d box;
         for (const MeshPart& part : frame->rest->parts)
             for (int v = part.firstVertex; part.name == name && v < part.endVertex; ++v)
@@ -325,7 +328,7 @@ void TestPartList::partsHaveTheirOutlines() {
     QCOMPARE(parts()[2].vertices, 700);
     QVERIFY(domain.vertices != 700);
     QVERIFY(settle(m_f->session()));
-    const MeshPart& range = m_f->session().frame<2>()->rest->parts[0];
+    const MeshPart& range = m_f->session().motion().frame<2>()->rest->parts[0];
     QCOMPARE(range.name, std::string("board"));
     QVERIFY(std::abs(range.endVertex - range.firstVertex - 700) < 200);
     mesh.findChild<QAbstractButton*>("outlineAsAll")->click();
@@ -355,7 +358,7 @@ void TestPartList::outlinesOfPartsAreDrawn() {
     QVERIFY(!parts()[1].outline);
     QVERIFY(settle(session));
     double board = 0, bar = 0;
-    const SimplicialMesh<2>& rest = *session.frame<2>()->rest;
+    const SimplicialMesh<2>& rest = *session.motion().frame<2>()->rest;
     for (const MeshPart& part : rest.parts)
         for (int v = part.firstVertex; v < part.endVertex; ++v) {
             double& most = part.name == "board" ? board : bar;
@@ -385,7 +388,7 @@ void TestPartList::orderChangesFromHere() {
     const auto colourAt = [&](double time) {
         session.playback().setTime(time);
         const QString path = m_folder.filePath("order.png");
-        const FrameExport frame(session.document(), session.frame(), {}, 1);
+        const FrameExport frame(session.document(), session.motion().frame(), {}, 1);
         std::string remark;
         frame.write(ExportKind::Picture, path.toStdString(), {}, {}, remark);
         return QImage(path).pixelColor(70, 33);  // of bar and board
@@ -407,7 +410,7 @@ void TestPartList::hiddenPartsAreNotTouched() {
     const ShapeCanvas& canvas = m_f->window().canvas();
     const auto touched = [&] {
         const auto touch = canvas.touch(canvas.toWidget({70, 35}));
-        return touch ? session.frame()->partOf(touch->place.cell) : std::string();
+        return touch ? session.motion().frame()->partOf(touch->place.cell) : std::string();
     };
     QCOMPARE(touched(), std::string("bar"));
     list().item(1)->setCheckState(Qt::Unchecked);
@@ -424,26 +427,26 @@ void TestPartList::lockedPartsAreLeftAlone() {
     ShapeCanvas& canvas = m_f->window().canvas();
     const int before = session.addPin({150, 40, 0});
     QVERIFY(settle(session));
-    const auto rest = session.frame<2>()->rest;
+    const auto rest = session.motion().frame<2>()->rest;
     QVERIFY(list().isVisible());
     const QRect row = list().visualItemRect(list().item(1));
     QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, {row.right() - 10, row.center().y()});
     QVERIFY(parts()[1].locked && !parts()[1].hidden);
     QVERIFY(list().item(1)->toolTip().contains("locked"));
     QVERIFY(settle(session));
-    QCOMPARE(session.frame<2>()->rest, rest);
-    QVERIFY(!session.mayChange(before));
+    QCOMPARE(session.motion().frame<2>()->rest, rest);
+    QVERIFY(!session.gestures().mayChange(before));
     m_f->tool("pin")->trigger();
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.toWidget({70, 35}).toPoint());
     const auto& handles = session.document().design().handles;
     QCOMPARE(handles.size(), std::size_t{2});
     QCOMPARE(handles.back().part, std::string("board"));
-    QVERIFY(session.mayChange(1));
+    QVERIFY(session.gestures().mayChange(1));
     list().setCurrentRow(1);
     auto* lock = panel().findChild<QAbstractButton*>("partLock");
     QVERIFY(lock->isChecked());
     lock->click();
-    QVERIFY(!parts()[1].locked && session.mayChange(before));
+    QVERIFY(!parts()[1].locked && session.gestures().mayChange(before));
 }
 
 void TestPartList::lock(int row) {
@@ -466,7 +469,7 @@ void TestPartList::stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers 
 }
 
 bool TestPartList::isPainted(std::size_t part) {
-    const auto frame = m_f->session().frame<2>();
+    const auto frame = m_f->session().motion().frame<2>();
     const MeshPart& range = frame->rest->parts.at(part);
     const auto& phi = frame->material->phi;
     return std::any_of(phi.begin() + range.firstCell, phi.begin() + range.endCell,
@@ -487,7 +490,7 @@ void TestPartList::paintBelongsToParts() {
         QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
     };
     const auto painted = [&](std::size_t part) {
-        const auto frame = session.frame<2>();
+        const auto frame = session.motion().frame<2>();
         const MeshPart& range = frame->rest->parts.at(part);
         const auto& phi = frame->material->phi;
         return std::any_of(phi.begin() + range.firstCell, phi.begin() + range.endCell,
@@ -499,7 +502,7 @@ void TestPartList::paintBelongsToParts() {
     stroke();
     QVERIFY(settle(session));
     QCOMPARE(regionsIn(session.document().design()).front().part, std::string("bar"));
-    QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
+    QCOMPARE(session.motion().frame<2>()->rest->parts[1].name, std::string("bar"));
     QVERIFY(painted(1) && !painted(0));
     undo().undo();
     list().setCurrentRow(1);
@@ -514,7 +517,7 @@ void TestPartList::paintBelongsToParts() {
 void TestPartList::gradientsAndFillsBelongToParts() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
-    QCOMPARE(session.frame<2>()->rest->parts[1].name, std::string("bar"));
+    QCOMPARE(session.motion().frame<2>()->rest->parts[1].name, std::string("bar"));
     m_f->window().tools().setMode(Mode::Paint);
     BrushSettings brush = m_f->window().properties().brush().now();
     brush.phi = phi::kAkvf;
@@ -545,7 +548,7 @@ void TestPartList::detailBelongsToParts() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
     const auto pointsOf = [&](const std::string& name) {
-        const SimplicialMesh<2>& rest = *session.frame<2>()->rest;
+        const SimplicialMesh<2>& rest = *session.motion().frame<2>()->rest;
         const auto part = std::ranges::find(rest.parts, name, &MeshPart::name);
         return Points<2>(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
     };
@@ -582,19 +585,20 @@ void TestPartList::dragsWaitForParts() {
     QVERIFY(m_f->openFile(path));
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
-    QSignalSpy notices(&session, &ShapeSession::notice), problems(&session, &ShapeSession::problem);
+    QSignalSpy notices(&session.document(), &Document::notice),
+        problems(&session.motion(), &ShapeMotion::problem);
     makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
-    QVERIFY(session.isMeshing());
+    QVERIFY(session.motion().isMeshing());
     session.selection().set({session.addPin({80, 50, 0})});
     notices.clear();
     session.gestures().begin();
-    QVERIFY(!session.isDragging());
+    QVERIFY(!session.motion().isDragging());
     QCOMPARE(notices.count(), 1);
     QVERIFY(notices[0][0].toString().contains("still being made"));
     QVERIFY(settle(session));
     for (const auto& problem : problems) QCOMPARE(problem[0].toString(), QString());
     session.gestures().begin();
-    QVERIFY(session.isDragging());
+    QVERIFY(session.motion().isDragging());
     session.gestures().cancel();
 }
 
@@ -606,12 +610,12 @@ void TestPartList::renamedPartIsCut() {
     const Outline onBoard{{{{15, 56}, {45, 56}, {45, 76}, {15, 76}}}};
     list().item(2)->setText("plank");
     QTRY_COMPARE(names(), (QStringList{"dot", "bar", "plank"}));
-    QVERIFY(session.isMeshing());
+    QVERIFY(session.motion().isMeshing());
     makePart(session, onBoard);
     QCOMPARE(parts().size(), std::size_t{4});
     QCOMPARE(parts()[2].cutFrom, std::string("plank"));
     QVERIFY(settle(session));
-    QCOMPARE(session.frame<2>()->rest->parts.size(), std::size_t{3});  // the dot has no mesh
+    QCOMPARE(session.motion().frame<2>()->rest->parts.size(), std::size_t{3});  // the dot has no mesh
     undo().undo();
     undo().undo();
     QVERIFY(settle(session));
@@ -628,8 +632,8 @@ void TestPartList::renamedPartIsCut() {
     QVERIFY(m_f->openFile(path));
     QVERIFY(settle(session));
     makePart(session, {{{{60, 30}, {110, 30}, {110, 80}, {60, 80}}}});
-    QVERIFY(session.isMeshing());
-    QSignalSpy notices(&session, &ShapeSession::notice);
+    QVERIFY(session.motion().isMeshing());
+    QSignalSpy notices(&session.document(), &Document::notice);
     makePart(session, {{{{20, 30}, {50, 30}, {50, 80}, {20, 80}}}});
     QCOMPARE(parts().size(), std::size_t{2});
     QCOMPARE(notices.count(), 1);
@@ -660,7 +664,7 @@ void TestPartList::noteNamesTheFilling() {
     note->show();
     list().item(0)->setText("flower");
     QTRY_COMPARE(names().front(), QString("flower"));
-    QTRY_VERIFY(note->isVisible() || !session.isBusy());
+    QTRY_VERIFY(note->isVisible() || !session.motion().isBusy());
     QVERIFY(!note->text().contains("Filling"));
     QVERIFY(settle(session));
 }
@@ -703,7 +707,7 @@ void TestPartList::edgesAreSoftened() {
     m_f->session().document().changeDomain("cut", domain);
     QVERIFY(settle(m_f->session()));
     const auto alphaAt = [&](int x) {
-        const Texture& texture = *m_f->session().frame<2>()->built->texture;
+        const Texture& texture = *m_f->session().motion().frame<2>()->built->texture;
         const Sheet& sheet = texture.sheets.back();
         const Image& picture = *sheet.picture;
         return std::to_integer<int>(
@@ -800,7 +804,7 @@ void TestPartList::islandsMayRide() {
     QCOMPARE(parts().size(), std::size_t{2});
     QCOMPARE(parts()[0].ridesOn, parts()[1].name);
     const QString out = m_folder.filePath("ridden.png");
-    const FrameExport frame(session.document(), session.frame(), {}, 1);
+    const FrameExport frame(session.document(), session.motion().frame(), {}, 1);
     std::string remark;
     frame.write(ExportKind::Picture, out.toStdString(), {}, {}, remark);
     const QImage seen(out);

@@ -3,7 +3,6 @@
 
 #include "app/project/edits/key_edits.h"
 #include "app/project/edits/pose_edits.h"
-#include "app/project/file/project_reader.h"
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"
 #include "core/motion/constraints.h"

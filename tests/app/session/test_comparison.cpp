@@ -154,27 +154,27 @@ void TestComparison::goTogether() {
     QTest::mouseMove(&canvas, from);
     QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
     for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas, from + (to - from) * i / 8);
-    QVERIFY(session.isDragging() && other().isDragging());
+    QVERIFY(session.motion().isDragging() && other().motion().isDragging());
     const auto hasCome = [&](ShapeSession& one) {
         const auto frame = one.template frame<Dim>();
         return frame->live && (frame->pose - frame->rest->points).norm() > 0.1 * Bar<Dim>::way().norm();
     };
     QTRY_VERIFY_WITH_TIMEOUT(hasCome(session) && hasCome(other()), 60000);
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
-    QVERIFY(!other().isDragging());
+    QVERIFY(!other().motion().isDragging());
     QVERIFY(settle(session) && settle(other()));
     QVERIFY(session.playback().end() > 0);
-    QCOMPARE(other().frame()->time, session.frame()->time);
+    QCOMPARE(other().motion().frame()->time, session.motion().frame()->time);
     const Points<Dim> own = session.template frame<Dim>()->pose, its = other().template frame<Dim>()->pose;
     QVERIFY((own - its).cwiseAbs().maxCoeff() > 1e-3 * Bar<Dim>::way().norm());
     QVERIFY(std::abs(own.col(0).norm()) > 0);
     const QString totals = view().template findChild<QLabel*>("otherTotals")->text();
-    QVERIFY(totals.contains(QLocale().toString(other().frame()->distortion->totalAngle, 'f', 3)));
+    QVERIFY(totals.contains(QLocale().toString(other().motion().frame()->distortion->totalAngle, 'f', 3)));
     QVERIFY(totals != view().template findChild<QLabel*>("ownTotals")->text());
     session.playback().setTime(session.playback().end() / 2);
     QVERIFY(settle(session) && settle(other()));
     QCOMPARE(other().playback().time(), session.playback().time());
-    QVERIFY(other().frame()->time < session.playback().end());
+    QVERIFY(other().motion().frame()->time < session.playback().end());
     session.playback().setTime(session.playback().end());
     // The other energy as that of the document, computed alone.
     const double phi = view().comparison().phi().value();
@@ -204,7 +204,7 @@ void TestComparison::moveLate() {
     const QPoint to = from.toPoint() + QPoint(-30, 20);
     QTest::mousePress(&canvas, Qt::LeftButton, {}, from.toPoint());
     for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas, from.toPoint() + (to - from.toPoint()) * i / 4);
-    QVERIFY(session.isDragging());
+    QVERIFY(session.motion().isDragging());
     const Amount amount = session.gestures().drag()->newest();
     const int samples = session.gestures().drag()->sampleCount();
     QVERIFY(amount.norm() > 0);
@@ -234,7 +234,7 @@ void TestComparison::dragInTheOther() {
         QTest::mouseMove(&canvas, a);
         QTest::mousePress(&canvas, Qt::LeftButton, {}, a);
         for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas, a + (b - a) * i / 4);
-        const bool drags = session.isDragging();
+        const bool drags = session.motion().isDragging();
         QTest::mouseRelease(&canvas, Qt::LeftButton, {}, b);
         return drags;
     };
@@ -245,7 +245,7 @@ void TestComparison::dragInTheOther() {
     QVERIFY(settle(session) && settle(other()));
     QCOMPARE(session.document().undoStack()->count(), steps + 1);
     QCOMPARE(session.selection().handles(), std::vector<int>{1});
-    const auto pins = session.pins();
+    const auto pins = session.gestures().pins();
     const Vec<Dim> reached = pins[1].centre.template head<Dim>();
     QVERIFY((reached - Bar<Dim>::end() - 0.5 * Bar<Dim>::way()).norm() < 0.1 * Bar<Dim>::way().norm());
 }
@@ -256,14 +256,14 @@ void TestComparison::showInfluence() {
     QVERIFY(begin<Dim>());
     m_f->session().selection().set({1});
     for (ShapeSession* session : {&m_f->session(), &other()}) {
-        session->setFieldWanted(ShapeSession::FieldKind::Influence);
-        QTRY_VERIFY(session->influence().cols() > 0);
-        const double least = session->influence().row(0).minCoeff(),
-                     most = session->influence().row(0).maxCoeff();
+        session->motion().setFieldWanted(ShapeMotion::FieldKind::Influence);
+        QTRY_VERIFY(session->motion().influence().cols() > 0);
+        const double least = session->motion().influence().row(0).minCoeff(),
+                     most = session->motion().influence().row(0).maxCoeff();
         QVERIFY2(least < 0.1 && most > 0.9, qPrintable(QString("%1 %2").arg(least).arg(most)));
     }
     m_f->session().selection().clear();
-    QCOMPARE(other().influence().cols(), 0);
+    QCOMPARE(other().motion().influence().cols(), 0);
 }
 
 void TestComparison::influenceIsThatOfTheSamePin() {
@@ -286,7 +286,7 @@ void TestComparison::halvesShowTheSamePart() {
     QVERIFY(settle(m_f->session()));
     m_f->window().actions().fit->trigger();
     const auto shows = [&](const ShapeCanvas& canvas) {
-        const Points<2>& pose = m_f->session().frame<2>()->pose;
+        const Points<2>& pose = m_f->session().motion().frame<2>()->pose;
         for (Eigen::Index v = 0; v < pose.cols(); ++v)
             if (!canvas.rect().contains(canvas.toWidget(pose.col(v)).toPoint())) return false;
         return true;
@@ -343,14 +343,14 @@ void TestComparison::tilesArePreviewed() {
     const auto& canvas = m_f->window().canvas();
     const auto before = m_f->session().document().project();
     const auto isOwn = [&] {
-        return canvas.drawn() && canvas.drawn()->request.frame == m_f->session().frame<2>();
+        return canvas.drawn() && canvas.drawn()->request.frame == m_f->session().motion().frame<2>();
     };
     QTRY_VERIFY_WITH_TIMEOUT(isOwn(), 20000);
     QTest::mouseMove(tile(3), tile(3)->rect().center());
     QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
     QApplication::sendEvent(tile(3), &enter);
-    QTRY_VERIFY_WITH_TIMEOUT(!isOwn() && canvas.drawn()->request.frame == other().frame<2>(), 60000);
-    QVERIFY((other().frame<2>()->pose - m_f->session().frame<2>()->pose).norm() > 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOwn() && canvas.drawn()->request.frame == other().motion().frame<2>(), 60000);
+    QVERIFY((other().motion().frame<2>()->pose - m_f->session().motion().frame<2>()->pose).norm() > 1);
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(tile(3), &leave);
     QTRY_VERIFY_WITH_TIMEOUT(isOwn(), 20000);

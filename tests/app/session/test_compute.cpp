@@ -122,7 +122,7 @@ Points<2> TestCompute::commandLinePose() const {
 
 void TestCompute::opensAtRest() {
     open();
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     QVERIFY(frame->pose == frame->rest->points);
     QCOMPARE(frame->distortion->flips, 0);
     QVERIFY(std::abs(frame->rest->vertexCount() - 400) <= 40);
@@ -134,9 +134,9 @@ void TestCompute::pinsBecomeVertices() {
     const Vec<2> at(61.25, 79.5);
     QCOMPARE(m_session->addPin(inSpace(at)), 0);
     QVERIFY(settle(*m_session));
-    const auto& points = m_session->frame<2>()->rest->points;
+    const auto& points = m_session->motion().frame<2>()->rest->points;
     QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
-    QCOMPARE(m_session->pins().size(), std::size_t(1));
+    QCOMPARE(m_session->gestures().pins().size(), std::size_t(1));
     QCOMPARE(m_session->addPin({5, 5, 0}), -1);  // beside the shape
     m_session->removeSelected();
     QVERIFY(m_session->document().design().handles.empty());
@@ -148,12 +148,12 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
     QCOMPARE(m_session->playback().time(), 1.0);
-    QVERIFY(!m_session->frame()->live);
+    QVERIFY(!m_session->motion().frame()->live);
     const Points<2> expected = commandLinePose();
-    QVERIFY(m_session->frame<2>()->pose == expected);
-    const auto pins = m_session->pins();
+    QVERIFY(m_session->motion().frame<2>()->pose == expected);
+    const auto pins = m_session->gestures().pins();
     QVERIFY((pins[1].centre - Vec3(190, 105, 0)).norm() < 1e-9);
-    QVERIFY(m_session->frame()->pinError < 1e-9);
+    QVERIFY(m_session->motion().frame()->pinError < 1e-9);
 }
 
 /// Whoever wishes to stop does not wait until the system is analyzed; what is analyzed by then serves the
@@ -164,7 +164,7 @@ void TestCompute::stopsWhileItPrepares() {
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}});
     const auto first = m_session->document().project();
-    const auto shape = *m_session->frame<2>()->built;
+    const auto shape = *m_session->motion().frame<2>()->built;
     drag(1, {{0, 5}});
     const auto second = m_session->document().project();
     MotionPass<2> pass;
@@ -211,7 +211,7 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
         handles[2].motions = {{Translate<3>{{0, -12, 0}}, 0.4, 2.6, Ease::InOut}};
         m_session->document().change({}, film);
         QVERIFY(settle(*m_session));
-        const auto before = m_session->track().frames();
+        const auto before = m_session->motion().track().frames();
         // The pose at 1 s: it touches what is before 2 s.
         for (const Vec3& by : {Vec3(4, 3, 0), Vec3(-6, 9, 0)}) {
             const auto next = copyOf(*m_session->document().project());
@@ -221,7 +221,7 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
             m_session->document().change({}, next);
         }
         QVERIFY(settle(*m_session));
-        const auto after = m_session->track().frames();
+        const auto after = m_session->motion().track().frames();
         QCOMPARE(after.size(), before.size());
         int kept = 0;
         for (std::size_t i = 0; i < after.size(); ++i) {
@@ -260,13 +260,13 @@ void TestCompute::elasticFilmsFollowWhatMoves() {
                                           {Translate<3>{{-10, 5, 0}}, 1, 2}};
     m_session->document().change({}, film);
     QVERIFY(settle(*m_session));
-    const auto before = m_session->track().frames();
+    const auto before = m_session->motion().track().frames();
     const auto next = copyOf(*film);
     std::get<Translate<3>>(designOf(*next).handles[1].motions[0].kind).by = {0, 10, 0};
     m_session->document().change({}, next);
     QVERIFY(settle(*m_session));
-    QVERIFY(m_session->track().last() != before.back());
-    QVERIFY((m_session->frame<2>()->pose - commandLinePose()).cwiseAbs().maxCoeff() < 1e-6);
+    QVERIFY(m_session->motion().track().last() != before.back());
+    QVERIFY((m_session->motion().frame<2>()->pose - commandLinePose()).cwiseAbs().maxCoeff() < 1e-6);
 }
 
 /// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
@@ -276,31 +276,31 @@ void TestCompute::anotherMeshIsTakenBack() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
-    const auto coarse = m_session->track().frames();
+    const auto coarse = m_session->motion().track().frames();
     QUndoStack& undo = *m_session->document().undoStack();
     setVertices(m_session->document(), 900);
     QVERIFY(settle(*m_session));
-    const auto fine = m_session->track().frames();
+    const auto fine = m_session->motion().track().frames();
     QVERIFY(fine.back()->vertices > 1.5 * coarse.back()->vertices);
     undo.undo();
     QVERIFY(settle(*m_session));
-    QVERIFY(m_session->track().frames() == coarse);
+    QVERIFY(m_session->motion().track().frames() == coarse);
     undo.redo();
     QVERIFY(settle(*m_session));
-    QVERIFY(m_session->track().frames() == fine);
+    QVERIFY(m_session->motion().track().frames() == fine);
     undo.undo();
     QVERIFY(settle(*m_session));
     for (const bool ready : {false, true}) {
         setVertices(m_session->document(), ready ? 1500 : 1300);
-        if (ready) QVERIFY(QTest::qWaitFor([&] { return !m_session->isMeshing(); }, 60000));
-        m_session->cancelWork();
+        if (ready) QVERIFY(QTest::qWaitFor([&] { return !m_session->motion().isMeshing(); }, 60000));
+        m_session->motion().cancelWork();
         QVERIFY(settle(*m_session));
-        QVERIFY(m_session->track().frames() == coarse);
+        QVERIFY(m_session->motion().track().frames() == coarse);
         QCOMPARE(m_session->document().domain().vertices, 400);
     }
     // It goes on from there as if nothing had been.
     drag(1, {{0, 3}});
-    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
 }
 
 /// What was computed of the first drag stays and gets other times.
@@ -309,16 +309,16 @@ void TestCompute::laterDragsContinueTheMotion() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
-    const auto shapes = posesOf(m_session->track());
+    const auto shapes = posesOf(m_session->motion().track());
     drag(0, {{3, -8}, {5, -16}});
     QCOMPARE(m_session->document().end(), 1.0);
     QCOMPARE(m_session->playback().end(), 1.0);
-    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
-    const auto later = posesOf(m_session->track());
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
+    const auto later = posesOf(m_session->motion().track());
     QVERIFY(later.size() > shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) QVERIFY(later[i] == shapes[i]);
     const double border = m_session->document().design().handles[0].motions[0].start;
-    QVERIFY(std::abs(m_session->track().frames()[shapes.size() - 1]->time - border) < 1e-9);
+    QVERIFY(std::abs(m_session->motion().track().frames()[shapes.size() - 1]->time - border) < 1e-9);
 }
 
 /// A longer film has the same poses, a shorter one too; where it has too few pictures they are made.
@@ -327,15 +327,15 @@ void TestCompute::otherLengthsKeepThePoses() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
-    const Points<2> end = m_session->frame<2>()->pose;
+    const Points<2> end = m_session->motion().frame<2>()->pose;
     for (const double length : {0.5, 5.0}) {
         setLength(m_session->document(), length);
         QVERIFY(settle(*m_session));
         QCOMPARE(m_session->playback().end(), length);
         QCOMPARE(m_session->playback().time(), length);
-        QVERIFY(isNear(m_session->frame<2>()->pose, end));
-        QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
-        QVERIFY(m_session->track().frames().size() >= 24 * length);
+        QVERIFY(isNear(m_session->motion().frame<2>()->pose, end));
+        QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
+        QVERIFY(m_session->motion().track().frames().size() >= 24 * length);
     }
 }
 
@@ -352,7 +352,7 @@ void TestCompute::framesOnTheirWayCount() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
-    const auto poses = posesOf(m_session->track());
+    const auto poses = posesOf(m_session->motion().track());
     double end = m_session->playback().end();
     for (int i = 0; i < 2; ++i) {
         end *= factor;
@@ -360,8 +360,8 @@ void TestCompute::framesOnTheirWayCount() {
         QThread::msleep(500);  // the thread is done, and nobody has heard of it
     }
     QVERIFY(settle(*m_session));
-    QCOMPARE(m_session->track().lastTime(), end);
-    QCOMPARE(posesOf(m_session->track()).size(), poses.size());
+    QCOMPARE(m_session->motion().track().lastTime(), end);
+    QCOMPARE(posesOf(m_session->motion().track()).size(), poses.size());
 
     OpenedFile file = openFile(writeCutOut(*m_folder));  // and what is all new
     m_session->document().open(std::move(file));
@@ -379,27 +379,27 @@ void TestCompute::dragsGoOnFromWhatIsShown() {
     drag(0, {{0, -10}});
     const auto before = m_session->document().project();
     m_session->playback().setTime(0.4);
-    const Vec3 seen = m_session->pins()[1].centre;
-    const Points<2> pose = m_session->frame<2>()->pose;
+    const Vec3 seen = m_session->gestures().pins()[1].centre;
+    const Points<2> pose = m_session->motion().frame<2>()->pose;
     QVERIFY(seen.y() > 85 && seen.y() < 115);
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     m_session->selection().set({1});
     m_session->gestures().begin();
     m_session->gestures().moveBy({-8, 0, 0});
-    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
-    QVERIFY((m_session->pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-9);
-    QVERIFY((m_session->frame<2>()->pose - pose).colwise().norm().maxCoeff() < 20);
+    QVERIFY(QTest::qWaitFor([&] { return m_session->motion().frame()->live; }, 20000));
+    QVERIFY((m_session->gestures().pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-9);
+    QVERIFY((m_session->motion().frame<2>()->pose - pose).colwise().norm().maxCoeff() < 20);
     m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
     QCOMPARE(notices.size(), 1);
     QCOMPARE(m_session->playback().time(), 1.0);
-    QVERIFY((m_session->pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-6);
-    QVERIFY((m_session->pins()[0].centre - Vec3(40, 70, 0)).norm() < 1e-6);  // what it did stays
-    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    QVERIFY((m_session->gestures().pins()[1].centre - (seen - Vec3(8, 0, 0))).norm() < 1e-6);
+    QVERIFY((m_session->gestures().pins()[0].centre - Vec3(40, 70, 0)).norm() < 1e-6);  // what it did stays
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
     m_session->document().undoStack()->undo();
     QVERIFY(m_session->document().project() == before);
     QVERIFY(settle(*m_session));
-    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
 }
 
 void TestCompute::escapeRestores() {
@@ -407,16 +407,16 @@ void TestCompute::escapeRestores() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
-    const Points<2> before = m_session->frame<2>()->pose;
+    const Points<2> before = m_session->motion().frame<2>()->pose;
     const int steps = m_session->document().undoStack()->count();
     m_session->gestures().begin();
     m_session->gestures().moveBy({0, 20, 0});
-    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000));
-    QVERIFY(m_session->frame<2>()->pose != before);
+    QVERIFY(QTest::qWaitFor([&] { return m_session->motion().frame()->live; }, 20000));
+    QVERIFY(m_session->motion().frame<2>()->pose != before);
     m_session->gestures().cancel();
-    QVERIFY(m_session->frame<2>()->pose == before);
+    QVERIFY(m_session->motion().frame<2>()->pose == before);
     QTest::qWait(50);
-    QVERIFY(m_session->frame<2>()->pose == before);
+    QVERIFY(m_session->motion().frame<2>()->pose == before);
     QCOMPARE(m_session->document().undoStack()->count(), steps);
 }
 
@@ -425,12 +425,12 @@ void TestCompute::undoShowsTheEarlierShapeAtOnce() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
-    const Points<2> first = m_session->frame<2>()->pose;
+    const Points<2> first = m_session->motion().frame<2>()->pose;
     drag(1, {{0, -30}});
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->playback().time(), 1.0);
-    QVERIFY(isNear(m_session->frame<2>()->pose, first));
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, first));
 }
 
 void TestCompute::laterPinMovesNothing() {
@@ -438,16 +438,16 @@ void TestCompute::laterPinMovesNothing() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
-    const Points<2> before = m_session->frame<2>()->pose;
-    const auto rest = m_session->frame<2>()->rest;
-    const int added = m_session->addPin(m_session->pins()[1].centre + Vec3(-60, -2, 0));
+    const Points<2> before = m_session->motion().frame<2>()->pose;
+    const auto rest = m_session->motion().frame<2>()->rest;
+    const int added = m_session->addPin(m_session->gestures().pins()[1].centre + Vec3(-60, -2, 0));
     QCOMPARE(added, 2);
     QVERIFY(settle(*m_session));
-    QCOMPARE(m_session->frame<2>()->rest, rest);
-    QVERIFY(m_session->frame<2>()->pose == before);
+    QCOMPARE(m_session->motion().frame<2>()->rest, rest);
+    QVERIFY(m_session->motion().frame<2>()->pose == before);
     drag(2, {{0, 6}});
-    QVERIFY(isNear(m_session->frame<2>()->pose, commandLinePose()));
-    const auto pins = m_session->pins();
+    QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
+    const auto pins = m_session->gestures().pins();
     QVERIFY((pins[1].centre - Vec3(200, 100, 0)).norm() < 1e-9);  // the others held still
 }
 
@@ -459,7 +459,7 @@ void TestCompute::nudgesMerge() {
     for (int i = 0; i < 4; ++i) m_session->gestures().nudge({1, 0, 0});
     QVERIFY(settle(*m_session));
     QCOMPARE(m_session->document().undoStack()->count(), steps + 1);
-    QVERIFY((m_session->pins()[1].centre - Vec3(204, 80, 0)).norm() < 1e-9);
+    QVERIFY((m_session->gestures().pins()[1].centre - Vec3(204, 80, 0)).norm() < 1e-9);
 }
 
 /// One pin dragged through the other cannot arrive without a fold: by the flow, since an elastic shape may
@@ -470,7 +470,7 @@ void TestCompute::foldsStopTheHandle() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     m_session->selection().set({1});
     m_session->gestures().begin();
     for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
@@ -481,18 +481,18 @@ void TestCompute::foldsStopTheHandle() {
     QVERIFY(notices.first().first().toString().startsWith(QStringLiteral("Pin 2")));
     m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
-    QCOMPARE(m_session->frame()->distortion->flips, 0);
-    QVERIFY(m_session->pins()[1].centre.x() > 40);
+    QCOMPARE(m_session->motion().frame()->distortion->flips, 0);
+    QVERIFY(m_session->gestures().pins()[1].centre.x() > 40);
 }
 
 void TestCompute::problemsAreTold() {
     open();
-    const Points<2> before = m_session->frame<2>()->pose;
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    const Points<2> before = m_session->motion().frame<2>()->pose;
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     test::addPin(m_session->document(), {5, 5}, "stray");
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     QVERIFY(!problems.first().first().toString().isEmpty());
-    QVERIFY(m_session->frame<2>()->pose == before);  // the last good shape stays
+    QVERIFY(m_session->motion().frame<2>()->pose == before);  // the last good shape stays
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     QVERIFY(problems.last().first().toString().isEmpty());
@@ -515,15 +515,15 @@ void TestCompute::cancelGoesBack() {
     };
     m_session->document().change(QStringLiteral("A"), vertices(401), key);
     QVERIFY(settle(*m_session));
-    const auto rest = m_session->frame<2>()->rest;
+    const auto rest = m_session->motion().frame<2>()->rest;
     m_session->document().change(QStringLiteral("B"), vertices(90000), key);
-    QVERIFY(m_session->isBusy() && m_session->isMeshing());
-    m_session->cancelWork();
+    QVERIFY(m_session->motion().isBusy() && m_session->motion().isMeshing());
+    m_session->motion().cancelWork();
     QCOMPARE(m_session->document().domain().vertices, 401);
     QVERIFY(settle(*m_session));
-    QVERIFY(m_session->frame<2>()->rest == rest);  // not made anew
+    QVERIFY(m_session->motion().frame<2>()->rest == rest);  // not made anew
     QCOMPARE(m_session->document().undoStack()->canRedo(), key.isEmpty());
-    m_session->cancelWork();  // nothing is being done
+    m_session->motion().cancelWork();  // nothing is being done
     QCOMPARE(m_session->document().domain().vertices, 401);
 }
 
@@ -533,14 +533,14 @@ void TestCompute::firstMeshIsCancelled() {
     auto project = copyOf(*file.project);
     domainOf(*project).vertices = 90000;
     file.project = project;
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     m_session->document().open(std::move(file));
-    m_session->cancelWork();
-    QVERIFY(!m_session->isBusy());
+    m_session->motion().cancelWork();
+    QVERIFY(!m_session->motion().isBusy());
     QCOMPARE(problems.count(), 1);
     setVertices(m_session->document(), 300);
     QVERIFY(settle(*m_session));
-    QVERIFY(std::abs(m_session->frame<2>()->rest->vertexCount() - 300) <= 40);
+    QVERIFY(std::abs(m_session->motion().frame<2>()->rest->vertexCount() - 300) <= 40);
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
 }
 
@@ -556,15 +556,16 @@ void TestCompute::firstMotionIsCancelled() {
     }
     endOf(*project) = 60;
     file.project = project;
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     m_session->document().open(std::move(file));
-    QVERIFY(QTest::qWaitFor([this] { return m_session->frame() && !m_session->isMeshing(); }, 60000));
-    if (!m_session->isBusy()) QSKIP("the motion is complete already");
+    QVERIFY(QTest::qWaitFor(
+        [this] { return m_session->motion().frame() && !m_session->motion().isMeshing(); }, 60000));
+    if (!m_session->motion().isBusy()) QSKIP("the motion is complete already");
     auto next = copyOf(*m_session->document().project());
     std::get<Translate<3>>(designOf(*next).handles[0].motions[0].kind).by.y() = 5;
     m_session->document().change(QStringLiteral("Move"), next);
-    QVERIFY(m_session->isMeshing());
-    m_session->cancelWork();
+    QVERIFY(m_session->motion().isMeshing());
+    m_session->motion().cancelWork();
     QVERIFY(problems.last().first().toString().contains(QStringLiteral("motion")));
 }
 
@@ -579,7 +580,7 @@ void TestCompute::selectionStaysWithItsPins() {
     fewer.handles.erase(fewer.handles.begin());
     m_session->document().changeDesign(QStringLiteral("Fewer"), fewer);
     QCOMPARE(m_session->selection().handles(), std::vector<int>{1});
-    QCOMPARE(m_session->singleHandle(), 1);
+    QCOMPARE(m_session->selection().single(), 1);
     Design turned = fewer;
     std::ranges::reverse(turned.handles);
     m_session->document().changeDesign(QStringLiteral("Turned"), turned);
@@ -695,7 +696,7 @@ void TestCompute::openMoved() {
         writeMesh<3>(name, barMesh(4));
     m_session->document().open(openFile(QString::fromStdString(name)));
     QVERIFY(settle(*m_session));
-    const auto frame = m_session->frame<Dim>();
+    const auto frame = m_session->motion().frame<Dim>();
     m_session->addHandle(std::vector<int>{0, 1}, "Pin");
     m_session->addHandle(std::vector<int>{frame->vertices - 2, frame->vertices - 1}, "Pin");
     m_session->gestures().moveAtOnce({}, {0.3, 0.2, 0});
@@ -707,14 +708,17 @@ void TestCompute::openMoved() {
 template <int Dim>
 QString TestCompute::whatIsLeft(const FramePtr& last) const {
     const Document& document = m_session->document();
-    if (m_session->frame() && document.isEmpty()) return QStringLiteral("a shape of no document");
-    if (m_session->frame() && m_session->frame()->shape == last->shape) return QStringLiteral("the shape");
-    if (m_session->frame<Dim>() && document.dimension() != Dim) return QStringLiteral("its dimension");
-    if (!m_session->frame() && m_session->isStale()) return QStringLiteral("a stale frame");
-    if (m_session->isDragging()) return QStringLiteral("the drag");
+    if (m_session->motion().frame() && document.isEmpty()) return QStringLiteral("a shape of no document");
+    if (m_session->motion().frame() && m_session->motion().frame()->shape == last->shape)
+        return QStringLiteral("the shape");
+    if (m_session->motion().frame<Dim>() && document.dimension() != Dim)
+        return QStringLiteral("its dimension");
+    if (!m_session->motion().frame() && m_session->motion().isStale()) return QStringLiteral("a stale frame");
+    if (m_session->motion().isDragging()) return QStringLiteral("the drag");
     if (!m_session->selection().isEmpty()) return QStringLiteral("the selection");
-    if (!m_session->pins().empty()) return QStringLiteral("pins");
-    if (!m_session->frame() && m_session->velocity().cols() > 0) return QStringLiteral("the velocity");
+    if (!m_session->gestures().pins().empty()) return QStringLiteral("pins");
+    if (!m_session->motion().frame() && m_session->motion().velocity().cols() > 0)
+        return QStringLiteral("the velocity");
     return {};
 }
 
@@ -739,12 +743,12 @@ void TestCompute::nothingOutlivesItsDocument() {
         dimension == 2 ? use.template operator()<2>() : use.template operator()<3>();
     };
     check([this]<int Dim>() { openMoved<Dim>(); });
-    const FramePtr last = m_session->frame();
+    const FramePtr last = m_session->motion().frame();
     QVERIFY(last);
     if (state == QStringLiteral("dragging")) {
         m_session->gestures().begin();
         m_session->gestures().moveBy({0.1, 0, 0});
-        QVERIFY(QTest::qWaitFor([this] { return m_session->frame()->live; }, 20000));
+        QVERIFY(QTest::qWaitFor([this] { return m_session->motion().frame()->live; }, 20000));
     }
     m_session->playback().setPlaying(state == QStringLiteral("playing"));
     QStringList left;
@@ -756,9 +760,9 @@ void TestCompute::nothingOutlivesItsDocument() {
     };
     QObject here;
     const ShapeSession& session = *m_session;
-    QObject::connect(&session, &ShapeSession::frameChanged, &here, look);
-    QObject::connect(&session, &ShapeSession::pinsChanged, &here, look);
-    QObject::connect(&session, &ShapeSession::busyChanged, &here, look);
+    QObject::connect(&session.motion(), &ShapeMotion::frameChanged, &here, look);
+    QObject::connect(&session.gestures(), &ShapeGesture::pinsChanged, &here, look);
+    QObject::connect(&session.motion(), &ShapeMotion::busyChanged, &here, look);
     QObject::connect(&session.selection(), &Selection::changed, &here, look);
     QObject::connect(&m_session->playback(), &Playback::timeChanged, &here, look);
     QObject::connect(&m_session->playback(), &Playback::endChanged, &here, look);
@@ -778,7 +782,7 @@ void TestCompute::nothingOutlivesItsDocument() {
     left.removeAll(QString());
     QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
     QCOMPARE(m_session->playback().end(), 0.0);
-    QCOMPARE(m_session->frame() == nullptr, closes);
+    QCOMPARE(m_session->motion().frame() == nullptr, closes);
 }
 
 /// Nothing is computed for nobody, and nothing is told of it.
@@ -789,12 +793,13 @@ void TestCompute::closingEndsTheWork() {
     QVERIFY(settle(*m_session));
     m_session->gestures().moveAtOnce({}, {0, 40, 0});
     test::addPin(m_session->document(), {5, 5}, "stray");
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem),
-        notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem),
+        notices(&m_session->document(), &Document::notice);
     m_session->document().close();
-    QVERIFY(!m_session->isBusy());
+    QVERIFY(!m_session->motion().isBusy());
     QTest::qWait(300);
-    QVERIFY(problems.isEmpty() && notices.isEmpty() && !m_session->isBusy() && !m_session->frame());
+    QVERIFY(problems.isEmpty() && notices.isEmpty() && !m_session->motion().isBusy() &&
+            !m_session->motion().frame());
 }
 
 void TestCompute::samplesOpen() {

@@ -128,8 +128,8 @@ void TestFilm::openFilm(int dimension) {
 
 QPoint TestFilm::pin(int handle) {
     if (session().document().dimension() == 2)
-        return m_window->window().canvas().onScreen(session().pins()[handle].centre).toPoint();
-    return m_window->canvas().onScreen(session().pins()[handle].centre).toPoint();
+        return m_window->window().canvas().onScreen(session().gestures().pins()[handle].centre).toPoint();
+    return m_window->canvas().onScreen(session().gestures().pins()[handle].centre).toPoint();
 }
 
 std::size_t TestFilm::motions(int handle) {
@@ -204,12 +204,12 @@ void TestFilm::dragsLeaveOthersAlone() {
     const auto poseAt = [&](double time) -> Eigen::MatrixXd {
         session().playback().setTime(time);
         if (!settle(session())) return {};
-        if (dimension == 2) return session().frame<2>()->pose;
-        return session().frame<3>()->pose;
+        if (dimension == 2) return session().motion().frame<2>()->pose;
+        return session().motion().frame<3>()->pose;
     };
     const Eigen::MatrixXd early = poseAt(0.25), shown = poseAt(0.5), later = poseAt(3);
     QStringList told;
-    connect(&session(), &ShapeSession::notice, this, [&told](const QString& text) { told << text; });
+    connect(&session().document(), &Document::notice, this, [&told](const QString& text) { told << text; });
     const auto before = session().document().project();
     const auto dragAt = [&](double time, int handle) {
         session().playback().setTime(time);
@@ -272,7 +272,7 @@ void TestFilm::othersAreSeenGoingOn() {
     openFilm(dimension);
     session().playback().setTime(0);
     QVERIFY(settle(session()));
-    const auto other = [&] { return session().pins()[0].centre.y(); };
+    const auto other = [&] { return session().gestures().pins()[0].centre.y(); };
     const double begin = other();
     const QPoint from = pin(1);
     QTest::mouseMove(&canvas(), from);
@@ -325,7 +325,7 @@ void TestFilm::givenUpRecordingLeavesNothing() {
     const QPoint from = pin(1);
     QTest::mousePress(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
     for (int i = 1; i <= 5; ++i) QTest::mouseMove(&canvas(), from + QPoint(0, 6 * i), 20);
-    QVERIFY(session().isDragging());
+    QVERIFY(session().motion().isDragging());
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::ControlModifier, from);
     QCOMPARE(session().document().project(), before);
@@ -373,12 +373,12 @@ void TestFilm::barsAreDragged() {
     QCOMPARE(session().selection().handles(), std::vector<int>{0});
     // Both ends of its time are where the handle begins and ends to move.
     session().playback().setTime(time.start - 0.2);
-    const auto still = session().frame();
+    const auto still = session().motion().frame();
     session().playback().setTime(0);
-    QVERIFY(still && session().frame());
+    QVERIFY(still && session().motion().frame());
     const auto moved = [&] {
-        return dimension == 2 ? (posed<2>(still)->pose - session().frame<2>()->pose).norm()
-                              : (posed<3>(still)->pose - session().frame<3>()->pose).norm();
+        return dimension == 2 ? (posed<2>(still)->pose - session().motion().frame<2>()->pose).norm()
+                              : (posed<3>(still)->pose - session().motion().frame<3>()->pose).norm();
     };
     QVERIFY(moved() < 1e-12);
     session().playback().setTime(1.2);
@@ -573,7 +573,7 @@ void TestFilm::menuOfABar() {
 namespace {
 
 QString ghostName(ShapeSession& session) {
-    const auto ghosts = session.ghosts();
+    const auto ghosts = session.gestures().ghosts();
     if (ghosts.size() != 1) return {};
     const auto& handles = session.document().design().handles;
     return wend::ghostName(handles[ghosts[0].handle], "x", session.playback().time());
@@ -596,9 +596,10 @@ void TestFilm::ghostsTellWhenTheyHold() {
     session().playback().setTime(3);
     QCOMPARE(name(), QStringLiteral("x: released at 2.50 s"));
     session().selection().clear();
-    const QPoint at = dimension == 2
-                          ? m_window->window().canvas().onScreen(session().ghosts()[0].centre).toPoint()
-                          : m_window->canvas().onScreen(session().ghosts()[0].centre).toPoint();
+    const QPoint at =
+        dimension == 2
+            ? m_window->window().canvas().onScreen(session().gestures().ghosts()[0].centre).toPoint()
+            : m_window->canvas().onScreen(session().gestures().ghosts()[0].centre).toPoint();
     const auto around = [&] {
         return canvas().grab(QRect(at - QPoint(8, 8), at + QPoint(120, 8))).toImage();
     };
@@ -789,11 +790,14 @@ namespace {
 /// In percent, of the vertices of the frame that is shown: the least, the largest, and at a handle.
 template <int Dim>
 std::array<double, 3> influence(ShapeSession& session, int handle) {
-    const Eigen::MatrixXd field = session.influence();
+    const Eigen::MatrixXd field = session.motion().influence();
     if (field.cols() == 0) return {-1, -1, -1};
-    const Points<Dim>& pose = session.frame<Dim>()->pose;
+    const Points<Dim>& pose = session.motion().frame<Dim>()->pose;
     Eigen::Index nearest = 0;
-    (pose.colwise() - session.pins()[handle].centre.head<Dim>()).colwise().norm().minCoeff(&nearest);
+    (pose.colwise() - session.gestures().pins()[handle].centre.head<Dim>())
+        .colwise()
+        .norm()
+        .minCoeff(&nearest);
     return {100 * field.row(0).minCoeff(), 100 * field.row(0).maxCoeff(), 100 * field(0, nearest)};
 }
 
@@ -817,21 +821,21 @@ void TestFilm::influenceOfPins() {
     QVERIFY(select({1}));
     QVERIFY(of(1)[2] > 90 && of(0)[2] < 10);
     QVERIFY(of(0)[0] >= 0 && of(1)[1] < 200);
-    const std::vector<double> one = shownValues(session(), Measure::Influence);
+    const std::vector<double> one = shownValues(session().motion(), Measure::Influence);
     QVERIFY(select({0}));
     QVERIFY(of(1)[2] < 10 && of(0)[2] > 90);
-    QVERIFY(shownValues(session(), Measure::Influence) != one);
+    QVERIFY(shownValues(session().motion(), Measure::Influence) != one);
     QVERIFY(select({0, 1}));
     QVERIFY2(std::abs(of(0)[0] - 100) < 1e-3 && std::abs(of(0)[1] - 100) < 1e-3,
              qPrintable(QStringLiteral("%1 %2").arg(of(0)[0]).arg(of(0)[1])));
     session().selection().clear();
     QCOMPARE(of(0)[0], -1.0);
-    const std::vector<double> none = shownValues(session(), Measure::Influence);
+    const std::vector<double> none = shownValues(session().motion(), Measure::Influence);
     QVERIFY(std::ranges::all_of(none, [](double value) { return value == 0; }));
     // The arrows still tell how it moves.
     m_window->window().actions().showMap->setChecked(false);
     m_window->window().actions().showArrows->setChecked(true);
-    QVERIFY(QTest::qWaitFor([&] { return session().hasVelocity(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().hasVelocity(); }, 20000));
 }
 
 QTEST_MAIN(TestFilm)

@@ -51,7 +51,7 @@ class TestGestures : public QObject {
     void begin(int handle);
     void drag(int handle, const Vec<2>& way);
     bool follows() {
-        return QTest::qWaitFor([&] { return m_session->frame()->live; }, 20000);
+        return QTest::qWaitFor([&] { return m_session->motion().frame()->live; }, 20000);
     }
     Points<2> poseOf(const Project& project) const;
 
@@ -79,7 +79,7 @@ void TestGestures::open(int vertices) {
 void TestGestures::begin(int handle) {
     m_session->selection().set({handle});
     m_session->gestures().begin();
-    QVERIFY(m_session->isDragging());
+    QVERIFY(m_session->motion().isDragging());
 }
 
 void TestGestures::drag(int handle, const Vec<2>& way) {
@@ -106,28 +106,28 @@ void TestGestures::newPinIsThereAfterACancelledDrag() {
         begin(added);
         m_session->gestures().cancel();
         QVERIFY(settled());
-        const auto& points = m_session->frame<2>()->rest->points;
+        const auto& points = m_session->motion().frame<2>()->rest->points;
         QCOMPARE((points.colwise() - at).colwise().norm().minCoeff(), 0.0);
     }
 }
 
 void TestGestures::newPinFollowsBeforeItsMeshIsMade() {
     open();
-    const auto before = m_session->frame<2>()->rest;
+    const auto before = m_session->motion().frame<2>()->rest;
     const int added = m_session->addPin({120.25, 80.5, 0});
     setVertices(m_session->document(), 1000000);  // nobody waits for it: the mesh below takes its place
     begin(added);
     m_session->gestures().moveBy({0, 12, 0});
     QVERIFY(follows());
-    QCOMPARE(m_session->frame<2>()->rest, before);
-    QVERIFY(m_session->isBusy());
-    QVERIFY((m_session->pins()[2].centre - Vec3(120.25, 92.5, 0)).norm() < 1e-9);
-    QVERIFY(m_session->frame()->pinError < 1e-6);
+    QCOMPARE(m_session->motion().frame<2>()->rest, before);
+    QVERIFY(m_session->motion().isBusy());
+    QVERIFY((m_session->gestures().pins()[2].centre - Vec3(120.25, 92.5, 0)).norm() < 1e-9);
+    QVERIFY(m_session->motion().frame()->pinError < 1e-6);
     m_session->gestures().end(0.2);
     setVertices(m_session->document(), 400);
     QVERIFY(settled());
-    QVERIFY(m_session->frame<2>()->rest != before);
-    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+    QVERIFY(m_session->motion().frame<2>()->rest != before);
+    QVERIFY(m_session->motion().frame<2>()->pose == poseOf(project()));
 }
 
 void TestGestures::undoEndsADrag() {
@@ -136,20 +136,20 @@ void TestGestures::undoEndsADrag() {
     m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
     m_session->document().undoStack()->undo();  // the pin that is being dragged
-    QVERIFY(!m_session->isDragging());
+    QVERIFY(!m_session->motion().isDragging());
     m_session->gestures().moveBy({0, 12, 0});
     m_session->gestures().end(0.2);
     QVERIFY(settled());
     QCOMPARE(m_session->document().design().handles.size(), std::size_t(1));
-    QVERIFY(!m_session->frame()->live);
-    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+    QVERIFY(!m_session->motion().frame()->live);
+    QVERIFY(m_session->motion().frame<2>()->pose == m_session->motion().frame<2>()->rest->points);
 }
 
 void TestGestures::framesFitTheirMesh() {
     open();
     int seen = 0;
-    connect(m_session.get(), &ShapeSession::frameChanged, this, [&] {
-        const auto frame = m_session->frame<2>();
+    connect(&m_session->motion(), &ShapeMotion::frameChanged, this, [&] {
+        const auto frame = m_session->motion().frame<2>();
         if (!frame) return;
         ++seen;
         QCOMPARE(frame->pose.cols(), frame->rest->points.cols());
@@ -178,7 +178,7 @@ void TestGestures::anotherFileEndsADrag() {
     QVERIFY(follows());
     m_session->document().open(openFile(writeCutOut(*m_folder, QStringLiteral("other.png"))));
     QVERIFY(settled());
-    QVERIFY(!m_session->frame()->live);
+    QVERIFY(!m_session->motion().frame()->live);
     const int added = m_session->addPin({40, 80, 0});
     begin(added);
     m_session->gestures().moveBy({0, 8, 0});
@@ -193,15 +193,15 @@ void TestGestures::refusedDragsLeaveOthersAlone() {
         withHandle(m_session->document().design(), Region<3>(Ball<3>{{110, 80, 0}, 14}), "Block"));
     const int inside = m_session->addPin({112.5, 81.25, 0});
     QVERIFY(settled());
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     begin(inside);
     m_session->gestures().moveBy({5, 0, 0});
     m_session->gestures().end(0.2);
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
     begin(1);
     m_session->gestures().moveBy({0, 8, 0});
-    QVERIFY(QTest::qWaitFor([&] { return m_session->frame()->amount == Amount(0, 8, 0); }, 20000));
-    QVERIFY(m_session->frame()->live && !m_session->frame()->stopped);
+    QVERIFY(QTest::qWaitFor([&] { return m_session->motion().frame()->amount == Amount(0, 8, 0); }, 20000));
+    QVERIFY(m_session->motion().frame()->live && !m_session->motion().frame()->stopped);
     m_session->gestures().cancel();
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
@@ -211,12 +211,12 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
     open(1500);
     drag(1, {0, 10});
     changeSetting(m_session->document(), "integration.tolerance", 1e-12);
-    QSignalSpy busy(m_session.get(), &ShapeSession::busyChanged);
+    QSignalSpy busy(&m_session->motion(), &ShapeMotion::busyChanged);
     QVERIFY(QTest::qWaitFor([&] { return m_session->playback().time() == 1; }, 20000));
     begin(1);
     m_session->gestures().moveBy({0, 8, 0});
     QVERIFY(follows());
-    QVERIFY(m_session->isBusy() && busy.isEmpty());
+    QVERIFY(m_session->motion().isBusy() && busy.isEmpty());
     m_session->gestures().cancel();
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
@@ -230,8 +230,8 @@ void TestGestures::lastOfManySamplesIsFollowed() {
     QVERIFY(follows());
     for (int burst = 1; burst <= 3; ++burst) {
         for (int i = 0; i < 10; ++i) m_session->gestures().moveBy({0, 4.0 * burst + 0.1 * i, 0});
-        QTRY_COMPARE_WITH_TIMEOUT(m_session->frame()->sample, 1 + 10 * burst, 20000);
-        QCOMPARE(m_session->frame()->amount.y(), 4.0 * burst + 0.9);
+        QTRY_COMPARE_WITH_TIMEOUT(m_session->motion().frame()->sample, 1 + 10 * burst, 20000);
+        QCOMPARE(m_session->motion().frame()->amount.y(), 4.0 * burst + 0.9);
     }
     m_session->gestures().cancel();
     QVERIFY(settled());
@@ -245,9 +245,9 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
     QVERIFY(settled());
     const auto before = m_session->document().project();
     m_session->selection().set({0});
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     m_session->gestures().begin();
-    QVERIFY(!m_session->isDragging());
+    QVERIFY(!m_session->motion().isDragging());
     m_session->gestures().nudge({1, 0, 0});
     QCOMPARE(m_session->document().project(), before);
     QCOMPARE(notices.size(), 2);
@@ -263,13 +263,13 @@ void TestGestures::handlesThatAreGoneDoNotMove() {
 void TestGestures::handlesThatAreGoneCanBeRemoved() {
     open();
     drag(1, {0, 10});
-    QVERIFY(m_session->ghosts().empty());
+    QVERIFY(m_session->gestures().ghosts().empty());
     for (const std::size_t left : {2, 1}) {
         m_session->selection().set({0});
         m_session->removeSelected();
         QCOMPARE(m_session->document().design().handles.size(), left);
         QVERIFY(settled());
-        QCOMPARE(m_session->ghosts().size(), left - 1);  // let go of at first: still to be found
+        QCOMPARE(m_session->gestures().ghosts().size(), left - 1);  // let go of at first: still to be found
     }
 }
 
@@ -279,7 +279,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
     drag(1, {0, 30});
     const Vec<2> far(210, 82);  // of the shape at rest; at the end it is elsewhere
     m_session->playback().setTime(0);
-    QVERIFY(m_session->frame<2>()->pose == m_session->frame<2>()->rest->points);
+    QVERIFY(m_session->motion().frame<2>()->pose == m_session->motion().frame<2>()->rest->points);
     const int added = m_session->addPin(inSpace(far));
     QCOMPARE(added, 2);
     const auto& points = std::get<std::vector<Vec3>>(m_session->document().design().handles[2].at);
@@ -288,7 +288,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
 
 void TestGestures::clicksBesideTheShapeAreTold() {
     open();
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     QCOMPARE(m_session->addPin({5, 5, 0}), -1);
     QCOMPARE(notices.size(), 1);
 }
@@ -302,17 +302,17 @@ void TestGestures::fixedStepsGoOnAsInTheFile() {
     drag(1, {0, 10});
     QCOMPARE(endOf(project()), 1.0);
     const auto read = parseProject(toJson(project()), "memory.wend").project;
-    QVERIFY(m_session->frame<2>()->pose == poseOf(*read));
-    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));
+    QVERIFY(m_session->motion().frame<2>()->pose == poseOf(*read));
+    QVERIFY(m_session->motion().frame<2>()->pose == poseOf(project()));
 }
 
 void TestGestures::newPinDoesNotDim() {
     open();
     m_session->addPin({120, 80, 0});
-    QVERIFY(m_session->isBusy() && !m_session->isStale());
+    QVERIFY(m_session->motion().isBusy() && !m_session->motion().isStale());
     QVERIFY(settled());
     setVertices(m_session->document(), 500);
-    QVERIFY(m_session->isStale());
+    QVERIFY(m_session->motion().isStale());
     QVERIFY(settled());
 }
 
@@ -325,7 +325,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     changeSetting(m_session->document(), "material.memory", 0);
     QVERIFY(settled());
     QVERIFY(canSettle(m_session->document()));
-    const double end = endOf(project()), before = m_session->frame()->distortion->totalMetric;
+    const double end = endOf(project()), before = m_session->motion().frame()->distortion->totalMetric;
     const int steps = m_session->document().undoStack()->index();
     m_session->playback().setTime(0.3 * end);
     settleAtEnd(m_session->document(), m_session->playback());
@@ -334,9 +334,9 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QVERIFY((settlingOf(project()) == std::vector<SettleWindow>{{end, end + 1}}));
     QCOMPARE(endOf(project()), end + 1);
     QCOMPARE(m_session->playback().time(), end + 1);
-    QVERIFY(m_session->frame()->distortion->totalMetric < before);
-    QVERIFY(m_session->frame()->pinError < 1e-9);
-    QVERIFY(m_session->frame<2>()->pose == poseOf(project()));  // as the command line's
+    QVERIFY(m_session->motion().frame()->distortion->totalMetric < before);
+    QVERIFY(m_session->motion().frame()->pinError < 1e-9);
+    QVERIFY(m_session->motion().frame<2>()->pose == poseOf(project()));  // as the command line's
     m_session->document().undoStack()->undo();
     QVERIFY(settled());
     QVERIFY(settlingOf(project()).empty());
@@ -350,11 +350,12 @@ void TestGestures::anotherTimeIsNotThatOfTheDrag() {
     m_session->selection().set({1});
     m_session->gestures().begin();
     m_session->gestures().moveBy({0, 10, 0});
-    QVERIFY(QTest::qWaitFor([&] { return m_session->frame() && m_session->frame()->live; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_session->motion().frame() && m_session->motion().frame()->live; },
+                            20000));
     m_session->gestures().end(0.2);
-    QVERIFY(m_session->isBusy());
+    QVERIFY(m_session->motion().isBusy());
     m_session->playback().setTime(0);
-    const auto first = m_session->frame<2>();
+    const auto first = m_session->motion().frame<2>();
     QVERIFY(first->pose == first->rest->points);
     QVERIFY(settled());
 }

@@ -101,8 +101,8 @@ int TestHeldBorder::dragMiddle() {
     const Border border = m_session->document().domain().border;
     int live = 0, wrong = 0;
     double along = 0;
-    const auto watch = connect(m_session.get(), &ShapeSession::frameChanged, this, [&] {
-        const auto frame = m_session->frame<2>();
+    const auto watch = connect(&m_session->motion(), &ShapeMotion::frameChanged, this, [&] {
+        const auto frame = m_session->motion().frame<2>();
         if (!frame || !frame->live) return;
         ++live;
         const Way way = wayOf(*frame);
@@ -117,7 +117,7 @@ int TestHeldBorder::dragMiddle() {
         m_session->gestures().moveBy({7.0 * step, 5.0 * step, 0});
         QTest::qWait(20);
     }
-    const auto isLast = [&] { return live > 0 && m_session->frame()->sample == 5; };
+    const auto isLast = [&] { return live > 0 && m_session->motion().frame()->sample == 5; };
     if (!QTest::qWaitFor(isLast, 60000)) return -1;
     wrong += border == Border::Slide && along < 1 ? 1 : 0;
     m_session->gestures().end(0.2);
@@ -141,7 +141,7 @@ void TestHeldBorder::pixelsAreThere(const QString& file, Border border) {
     for (int x = 0; x < kWidth; ++x) compare(x, 0), compare(x, kHeight - 1);
     for (int y = 0; y < kHeight; ++y) compare(0, y), compare(kWidth - 1, y);
     // What is inside went along with the pin.
-    QVERIFY((m_session->pins()[0].centre - Vec3(175, 115, 0)).norm() < 0.3);
+    QVERIFY((m_session->gestures().pins()[0].centre - Vec3(175, 115, 0)).norm() < 0.3);
     const QRgb middle = written.pixel(175, 115);
     QVERIFY(std::abs(qRed(middle) - (20 + 90)) <= 3 &&
             std::abs(qGreen(middle) - (10 + 140 * 230 / kWidth)) <= 3);
@@ -161,7 +161,7 @@ void TestHeldBorder::borderIsHeld() {
     changeSetting(m_session->document(), "material.memory", 0);
     settleAtEnd(m_session->document(), m_session->playback());
     QVERIFY(settle(*m_session));
-    for (const FramePtr& frame : m_session->track().frames()) {
+    for (const FramePtr& frame : m_session->motion().track().frames()) {
         const Way way = wayOf(*posed<2>(frame));
         if (border == Border::Free) continue;
         QCOMPARE(way.off, 0.0);
@@ -171,13 +171,13 @@ void TestHeldBorder::borderIsHeld() {
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     m_session->playback().setTime(m_session->playback().end());
-    const Way way = wayOf(*m_session->frame<2>());
+    const Way way = wayOf(*m_session->motion().frame<2>());
     if (border == Border::Free) QVERIFY(way.off > 1 && way.corners > 1);
     if (border == Border::Slide) QVERIFY(way.along > 1);
     if (border == Border::Free) return;
     const QString exported = m_folder.filePath(QStringLiteral("exported.png"));
     std::string remark;
-    FrameExport(m_session->document(), m_session->frame(), {}, 1)
+    FrameExport(m_session->document(), m_session->motion().frame(), {}, 1)
         .write(ExportKind::Picture, exported.toStdString(), {}, {}, remark);
     pixelsAreThere(exported, border);
     const QString saved = m_folder.filePath(QStringLiteral("saved.wend")),
@@ -200,7 +200,7 @@ void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
     m_session->gestures().moveBy({0, 12, 0});
     m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     int moved = 0;
     for (int v = 0; v < frame->rest->vertexCount(); ++v) {
         const Vec<2> p = frame->rest->points.col(v);
@@ -223,7 +223,7 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone_data() {
 void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
     QFETCH(bool, byNumber);
     open(Border::Fixed);
-    const auto rest = m_session->frame<2>()->rest;
+    const auto rest = m_session->motion().frame<2>()->rest;
     const auto isHeld = [&](int v) { return rest->points(0, v) <= 30; };
     std::vector<int> numbers;
     for (int v = 0; v < rest->vertexCount(); ++v)
@@ -233,7 +233,7 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
     const Vec<2> by(-8, 6);
     m_session->gestures().moveAtOnce({}, {by.x(), by.y(), 0});
     QVERIFY(settle(*m_session));
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     QCOMPARE(frame->rest, rest);
     for (int v = 0; v < rest->vertexCount(); ++v) {
         const Vec<2> p = rest->points.col(v);
@@ -246,19 +246,19 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
 void TestHeldBorder::changingItComputesTheMotionAnew() {
     open(Border::Free);
     QVERIFY(dragMiddle() >= 0);
-    QVERIFY(wayOf(*m_session->frame<2>()).off > 1);
+    QVERIFY(wayOf(*m_session->motion().frame<2>()).off > 1);
     for (const Border border : {Border::Slide, Border::Fixed}) {
         const auto project = copyOf(*m_session->document().project());
         domainOf(*project).border = border;
         m_session->document().change(QStringLiteral("Hold border"), project);
         QVERIFY(settle(*m_session));
-        QCOMPARE(wayOf(*m_session->frame<2>()).off, 0.0);
-        QCOMPARE(wayOf(*m_session->frame<2>()).along > 0, border == Border::Slide);
+        QCOMPARE(wayOf(*m_session->motion().frame<2>()).off, 0.0);
+        QCOMPARE(wayOf(*m_session->motion().frame<2>()).along > 0, border == Border::Slide);
     }
     m_session->document().undoStack()->undo();
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
-    QVERIFY(wayOf(*m_session->frame<2>()).off > 1);
+    QVERIFY(wayOf(*m_session->motion().frame<2>()).off > 1);
 }
 
 QTEST_GUILESS_MAIN(TestHeldBorder)

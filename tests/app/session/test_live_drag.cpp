@@ -227,10 +227,11 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
     for (const int drag : {1, 2}) {
         session.gestures().begin();
         for (int i = 1; i <= 4; ++i) session.gestures().moveBy(drag * handAt(i));
-        QVERIFY(
-            QTest::qWaitFor([&] { return session.frame()->live && session.frame()->sample == 4; }, 60000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return session.motion().frame()->live && session.motion().frame()->sample == 4; }, 60000));
         if (drag == 1)
-            QVERIFY(nearer(session.frame<3>()->pose, *session.frame<3>()->built, slices > 500, phiBefore));
+            QVERIFY(nearer(session.motion().frame<3>()->pose, *session.motion().frame<3>()->built,
+                           slices > 500, phiBefore));
         session.gestures().end(1e-3);
         QVERIFY(test::settle(session));
         const Project& now = *session.document().project();
@@ -238,7 +239,8 @@ void TestLiveDrag::releasedShapeIsTheCommandLines() {
         Deformer<3> deformer(shape.rest, shape.material, heldHandles(now, shape), integrationOf(now),
                              backEndFactory<3>(BackEndKind::Automatic));
         QCOMPARE(deformer.advance(now.end).outcome, Outcome::Done);
-        const double off = (session.frame<3>()->pose - deformer.state().points).cwiseAbs().maxCoeff();
+        const double off =
+            (session.motion().frame<3>()->pose - deformer.state().points).cwiseAbs().maxCoeff();
         QVERIFY2(off <= (drag == 1 ? 0 : part * velocityToleranceFor(tolerance) * kLength),
                  qPrintable(QStringLiteral("drag %1: %2").arg(drag).arg(off)));
     }

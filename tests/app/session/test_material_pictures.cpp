@@ -332,7 +332,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     QVERIFY(settle(session));
     const auto& layers = *f.window().properties().layers().list();
     const auto phiAt = [&](const Vec<2>& p) {
-        const auto frame = session.frame<2>();
+        const auto frame = session.motion().frame<2>();
         int best = 0;
         for (int c = 0; c < frame->rest->cellCount(); ++c)
             if ((middleOf(*frame->rest, c) - p).norm() < (middleOf(*frame->rest, best) - p).norm()) best = c;

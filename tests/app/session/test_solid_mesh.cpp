@@ -35,7 +35,7 @@ class TestSolidMesh : public QObject {
     MeshPanel& panel() { return *m_f->window().findChild<MeshPanel*>(); }
     MagnitudeBox& volume() { return *panel().findChild<MagnitudeBox*>(); }
     QToolButton& button(const char* name) { return *panel().findChild<QToolButton*>(name); }
-    double maxCell() { return qualityOf<3>(*m_f->session().frame<3>()->rest).maxMeasure; }
+    double maxCell() { return qualityOf<3>(*m_f->session().motion().frame<3>()->rest).maxMeasure; }
     void chooseAim(int row);
     QString write(const QString& name, const QByteArray& text);
     QTemporaryDir m_folder;
@@ -85,7 +85,7 @@ void TestSolidMesh::maxVolumeByThePanel() {
     QVERIFY(!volume().isVisible());
     panel().findChild<QCheckBox*>()->click();  // at a surface that is kept some cells stay larger
     QVERIFY(settle(m_f->session()));
-    const int before = m_f->session().frame()->vertices;
+    const int before = m_f->session().motion().frame()->vertices;
     const double cell = maxCell();
     chooseAim(1);
     QVERIFY(volume().isVisible());
@@ -93,25 +93,25 @@ void TestSolidMesh::maxVolumeByThePanel() {
     // The volume of the mesh that was there, to two digits.
     QVERIFY(volume().value() >= cell && volume().value() <= 1.1 * cell);
     // Smoothing passes the volume a little; the mesh is about as fine as it was.
-    QVERIFY(std::abs(m_f->session().frame()->vertices - before) < before / 5);
+    QVERIFY(std::abs(m_f->session().motion().frame()->vertices - before) < before / 5);
     volume().setFocus();
     volume().selectAll();
     QTest::keyClicks(&volume(), volume().locale().toString(0.002));
     QTest::keyClick(&volume(), Qt::Key_Return);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->domain().maxVolume, 0.002);
-    QVERIFY(m_f->session().frame()->cells > 4 / 0.002);  // so many such cells make its volume
+    QVERIFY(m_f->session().motion().frame()->cells > 4 / 0.002);  // so many such cells make its volume
     m_f->picture(QStringLiteral("largest-volume"));
     m_f->window().actions().undo->trigger();
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->domain().maxVolume, 0.0);
-    QCOMPARE(m_f->session().frame()->vertices, before);
+    QCOMPARE(m_f->session().motion().frame()->vertices, before);
     QVERIFY(!volume().isVisible());
     m_f->window().actions().redo->trigger();
     chooseAim(0);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame()->vertices, before);
+    QCOMPARE(m_f->session().motion().frame()->vertices, before);
 }
 
 void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {

@@ -217,7 +217,8 @@ void TestTracks::keysAreCopiedToTheTimeShown() {
     QVERIFY((placeAt(0, 3.5) - Vec<2>(0, 10)).norm() < 1e-9);
     QVERIFY((placeAt(0, 4.5) - Vec<2>(5, 10)).norm() < 1e-9);
     QVERIFY(settle(session()));
-    QVERIFY((session().pins()[0].centre - Vec3(40, 90, 0)).norm() < 1e-6);  // the shape is there, too
+    QVERIFY((session().gestures().pins()[0].centre - Vec3(40, 90, 0)).norm() <
+            1e-6);  // the shape is there, too
     QCOMPARE(session().playback().time(), 3.5);
     undo().undo();
     QCOMPARE(keys(0), (std::vector<double>{0, 1, 2}));
@@ -232,7 +233,7 @@ void TestTracks::keysAreCopiedToAnotherPin() {
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(keys(2), (std::vector<double>{0, 2.5}));
     QVERIFY((placeAt(2, 2.5) - Vec<2>(0, 10)).norm() < 1e-9);
-    QSignalSpy notices(&session(), &ShapeSession::notice);
+    QSignalSpy notices(&session().document(), &Document::notice);
     show(0);
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);  // at rest nothing can be posed
     QCOMPARE(notices.size(), 1);
@@ -286,7 +287,7 @@ void TestTracks::menuOfAKey() {
     entry("Remove Key")->trigger();
     QCOMPARE(keys(0), (std::vector<double>{0, 2}));
     const int steps = undo().count();
-    QSignalSpy notices(&session(), &ShapeSession::notice);
+    QSignalSpy notices(&session().document(), &Document::notice);
     menuEntry(*tracks().viewport(), spot(0, 0), QStringLiteral("Remove Key"))
         ->trigger();  // it is at rest there
     QVERIFY(notices.size() == 1 && undo().count() == steps);
@@ -332,7 +333,7 @@ void TestTracks::menuOfABarSimplifies() {
         }
         worst = std::max(worst, (place - arc.points[i]).norm());
     }
-    QVERIFY2(worst <= session().pixel() * 1.000001, qPrintable(QString::number(worst)));
+    QVERIFY2(worst <= session().motion().pixel() * 1.000001, qPrintable(QString::number(worst)));
     undo().undo();
     QVERIFY(settle(session()));
     entry("Straighten")->trigger();
@@ -347,7 +348,8 @@ void TestTracks::dragAtTheEndIsCorrected() {
         session().playback().setTime(endOf(project()));
         QVERIFY(settle(session()));
         QWidget& canvas = m_window->window().canvas();
-        drag(canvas, m_window->window().canvas().onScreen(session().pins()[2].centre).toPoint(), by);
+        drag(canvas, m_window->window().canvas().onScreen(session().gestures().pins()[2].centre).toPoint(),
+             by);
     };
     dragPin({0, 30});
     QCOMPARE(endOf(project()), 5.0);
@@ -376,7 +378,8 @@ void TestTracks::filmIsMadeOfPoses() {
     const auto pose = [&](double time, const QPoint& by) {
         show(time);
         QWidget& canvas = m_window->window().canvas();
-        drag(canvas, m_window->window().canvas().onScreen(session().pins()[2].centre).toPoint(), by);
+        drag(canvas, m_window->window().canvas().onScreen(session().gestures().pins()[2].centre).toPoint(),
+             by);
     };
     pose(1, {0, 30});
     pose(3, {0, -40});
@@ -563,7 +566,7 @@ void TestTracks::soundIsDrawnAndHeard() {
     QCOMPARE(played().size(), count);
     undo().undo();
     QVERIFY(sound.peaks().empty() && ruler().rows() == rows);
-    QSignalSpy notices(&session(), &ShapeSession::notice);
+    QSignalSpy notices(&session().document(), &Document::notice);
     panel.setSound(folder.filePath(QStringLiteral("none.wav")));
     QTRY_COMPARE_WITH_TIMEOUT(notices.size(), 1, 20000);
 }

@@ -160,7 +160,7 @@ void TestBrushwork::paintNothing() {
     m_f->tool("paint")->trigger();
     set([](BrushSettings& b) { b.target = BrushTarget::Stiffness, b.ratio = 1; });
     QVERIFY(Bar<Dim>::canvas(*m_f).viewport().tool()->hint().contains(QStringLiteral("×1")));
-    QSignalSpy told(&session, &ShapeSession::notice);
+    QSignalSpy told(&session.document(), &Document::notice);
     const int before = steps();
     for (const char* tool : {"paint", "fill", "gradient"}) {
         m_f->tool(tool)->trigger();
@@ -175,7 +175,7 @@ void TestBrushwork::paintNothing() {
     set([](BrushSettings& b) { b.ratio = 1, b.radius = 120, b.hardness = 1; });
     stroke<Dim>({-1, 0}, {1, 0});
     QVERIFY(settle(session) && layers().size() == 2);
-    QVERIFY(session.frame<Dim>()->material->anisotropy[cellAt<Dim>(0)].isIdentity(1e-9));
+    QVERIFY(session.motion().frame<Dim>()->material->anisotropy[cellAt<Dim>(0)].isIdentity(1e-9));
 }
 
 void TestBrushwork::keysAlonePaint() {

@@ -75,7 +75,7 @@ void TestCellSizes::brushTheRightEnd(Qt::KeyboardModifiers modifiers) {
 
 /// Of the cells in the right or the left quarter of the bar, near the front.
 double TestCellSizes::meanSize(bool right) {
-    const auto frame = m_f->session().frame<3>();
+    const auto frame = m_f->session().motion().frame<3>();
     const auto sizes = cellValues(*frame, Measure::CellSize);
     double sum = 0;
     int count = 0;
@@ -119,7 +119,7 @@ void TestCellSizes::sizeOfRegularCells() {
 }
 
 void TestCellSizes::strokesMakeCellsFiner() {
-    const int before = m_f->session().frame()->vertices;
+    const int before = m_f->session().motion().frame()->vertices;
     const double even = meanSize(true) / meanSize(false);
     QVERIFY(std::abs(even - 1) < 0.15);
     QTest::mouseClick(m_f->window().findChild<MeshPanel*>()->findChild<QToolButton*>("paintSizes"),
@@ -133,7 +133,7 @@ void TestCellSizes::strokesMakeCellsFiner() {
     QCOMPARE(m_f->domain().sizes[0].value, 0.5);
     QVERIFY2(meanSize(true) < 0.8 * meanSize(false), qPrintable(QString::number(meanSize(true))));
     // The number of vertices in all is still what was aimed at.
-    QVERIFY(std::abs(m_f->session().frame()->vertices - 900) <= 135);
+    QVERIFY(std::abs(m_f->session().motion().frame()->vertices - 900) <= 135);
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-painted"));
@@ -152,7 +152,7 @@ void TestCellSizes::strokesMakeCellsFiner() {
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
     QVERIFY(m_f->domain().sizes.empty());
-    QCOMPARE(m_f->session().frame()->vertices, before);
+    QCOMPARE(m_f->session().motion().frame()->vertices, before);
 }
 
 void TestCellSizes::shiftPaintsTheOtherWayRound() {
@@ -235,7 +235,7 @@ void TestCellSizes::mapOfSizesWhilePainting() {
     m_f->window().actions().pinTool->trigger();
     QVERIFY(!map->isChecked() && maps.measure() == before);
     // Every value has its place in the range.
-    const auto values = shownValues(m_f->session(), Measure::CellSize);
+    const auto values = shownValues(m_f->session().motion(), Measure::CellSize);
     const MeasureRange range = rangeOf(values, Measure::CellSize);
     for (const double value : values) {
         const double at = positionIn(range, Measure::CellSize, value);

@@ -234,7 +234,7 @@ void TestDepth::setDepth(ValueLayers layers) {
 QString TestDepth::exported(ExportKind kind, const QString& name) {
     const QString path = m_folder.filePath(name);
     std::string remark;
-    FrameExport(m_session.document(), m_session.frame(), {}, 1)
+    FrameExport(m_session.document(), m_session.motion().frame(), {}, 1)
         .write(kind, path.toStdString(), {}, {}, remark);
     return path;
 }
@@ -283,7 +283,7 @@ void TestDepth::canvasIsTheExport() {
     m_canvas.zoomTo(1);
     QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
     const QImage shown = m_canvas.grab().toImage();
-    const FrameExport shape(m_session.document(), m_session.frame(), {}, 1);
+    const FrameExport shape(m_session.document(), m_session.motion().frame(), {}, 1);
     WarpOptions options = shape.warpOptions({});
     options.restMargin = 0;
     const View view{shown.width(), shown.height(), m_canvas.toShape({0, 0}), 1 / shown.devicePixelRatio()};
@@ -351,7 +351,7 @@ void TestDepth::crossingLimb() {
     setDepth({layerWith("all", double(all), HalfSpace<3>{{0, -50, 0}, {0, 1, 0}}),
               layerWith("arm", double(arm), Polygon{pointsOf(kArm)}),
               layerWith("hand", double(hand), Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
-    const Composition expected(m_drawing, *m_session.frame<2>(), [&](const QPointF& p) -> double {
+    const Composition expected(m_drawing, *m_session.motion().frame<2>(), [&](const QPointF& p) -> double {
         if (std::hypot(p.x() - kHand.x(), p.y() - kHand.y()) < kHandRadius) return hand + kLimb;
         return kArm.containsPoint(p, Qt::OddEvenFill) ? arm + kLimb : all;
     });
@@ -368,9 +368,9 @@ void TestDepth::orderIsUndone() {
     setDepth({});
     const auto picture = [&] { return QImage(exported(ExportKind::Picture, QStringLiteral("undo.png"))); };
     const QImage before = picture();
-    const FramePtr frame = m_session.frame();
+    const FramePtr frame = m_session.motion().frame();
     setDepth({layerWith("arm", 3, Polygon{pointsOf(kArm)})});
-    QCOMPARE(m_session.frame(), frame);
+    QCOMPARE(m_session.motion().frame(), frame);
     const QImage front = picture();
     setDepth({layerWith("arm", -3, Polygon{pointsOf(kArm)})});
     QVERIFY(front != picture());
@@ -378,7 +378,7 @@ void TestDepth::orderIsUndone() {
     QCOMPARE(picture(), front);
     m_session.document().undoStack()->undo();
     QCOMPARE(picture(), before);
-    QCOMPARE(m_session.frame(), frame);
+    QCOMPARE(m_session.motion().frame(), frame);
 }
 
 /// On the canvas, where the hand is seen now: what is brushed is the hand at rest.
@@ -399,7 +399,7 @@ void TestDepth::brushed() {
         return found;
     };
     const auto stroke = [&](Qt::KeyboardModifiers modifiers) {
-        const QPoint hand = m_canvas.onScreen(m_session.pins()[0].centre).toPoint();
+        const QPoint hand = m_canvas.onScreen(m_session.gestures().pins()[0].centre).toPoint();
         QTest::mousePress(&m_canvas, Qt::LeftButton, modifiers, hand);
         QTest::mouseMove(&m_canvas, hand + QPoint(4, 2));
         QTest::mouseRelease(&m_canvas, Qt::LeftButton, modifiers, hand + QPoint(4, 2));
@@ -430,9 +430,9 @@ void TestDepth::brushed() {
 void TestDepth::whatIsSeenIsTouched() {
     for (const double order : {1.0, -1.0}) {
         setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
-        const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.pins()[0].centre));
+        const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.gestures().pins()[0].centre));
         QVERIFY(touch);
-        const Vec<2> rest = inPlane(m_session.frame()->restAt(touch->place));
+        const Vec<2> rest = inPlane(m_session.motion().frame()->restAt(touch->place));
         QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
     }
 }
@@ -440,8 +440,8 @@ void TestDepth::whatIsSeenIsTouched() {
 /// The body has a pin a few pixels beside that of the hand: a click on either picks the one that is seen.
 void TestDepth::pinsInFrontArePicked() {
     setDepth({});
-    const auto before = m_session.frame<2>();
-    const Vec<2> hand = inPlane(m_session.pins()[0].centre);
+    const auto before = m_session.motion().frame<2>();
+    const Vec<2> hand = inPlane(m_session.gestures().pins()[0].centre);
     std::optional<Vec<2>> below;
     for (const int cell : cellsAt(*before, hand + Vec<2>(4, 0))) {
         const auto place = locationIn<2>(*before, cell, hand + Vec<2>(4, 0));
@@ -459,7 +459,7 @@ void TestDepth::pinsInFrontArePicked() {
         setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         for (const int pin : {0, body}) {
             Vec3 place;
-            for (const auto& view : m_session.pins())
+            for (const auto& view : m_session.gestures().pins())
                 if (view.handle == pin) place = view.centre;
             QCOMPARE(tool.handleAt(m_canvas.onScreen(place)), order > 0 ? 0 : body);
         }
@@ -493,7 +493,7 @@ void TestDepth::anotherMeshHasItsOwnOrder() {
 
 /// Where two cells with colours that are far apart lie over each other, that of the upper one is seen.
 void TestDepth::mapsShowWhatLiesInFront() {
-    const auto frame = m_session.frame<2>();
+    const auto frame = m_session.motion().frame<2>();
     const std::vector<double> values = cellValues(*frame, Measure::Angle);
     const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};
     const auto colourOf = [&](int cell) {
@@ -541,7 +541,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
 
 void TestDepth::pinsBringTheirPart() {
     setDepth({});
-    const double size = m_session.frame()->diagonal;
+    const double size = m_session.motion().frame()->diagonal;
     const auto with = [size](Project project, const std::vector<int>& handles, double order) {
         project.depth = withHandleDepth(project.depth, project.design, handles, order, size);
         return project;

@@ -96,7 +96,7 @@ void TestErasing::followTheShape() {
     QVERIFY(layers() == names && names.size() == 1);
     for (const double everywhere : {phi::kMetr, phi::kAkvf, 1.1}) {
         QVERIFY(setEverywhere<Dim>(everywhere));
-        const auto wanted = expected<Dim>(*session.frame<Dim>(), regions<Dim>(), everywhere, angle);
+        const auto wanted = expected<Dim>(*session.motion().frame<Dim>(), regions<Dim>(), everywhere, angle);
         QVERIFY2(farthest(phis<Dim>(), wanted) < 1e-12,
                  qPrintable(QString::number(farthest(phis<Dim>(), wanted))));
         QCOMPARE(phis<Dim>()[cellAt<Dim>(0)], everywhere);
@@ -130,7 +130,7 @@ void TestErasing::takeFromAll() {
     QVERIFY(Bar<Dim>::open(*m_f));
     auto& session = m_f->session();
     const auto isStiff = [&](double u) {
-        const auto& B = session.frame<Dim>()->material->anisotropy;
+        const auto& B = session.motion().frame<Dim>()->material->anisotropy;
         return !B.empty() && !B[cellAt<Dim>(u)].isIdentity(1e-9);
     };
     m_f->tool("paint")->trigger();
@@ -164,7 +164,7 @@ void TestErasing::takeFromAll() {
     stroke<Dim>({-1.3, 0}, {1.3, 0});
     QVERIFY(settle(session) && layers().empty() && !isStiff(-0.9));
     const int before = steps();
-    QSignalSpy told(&session, &ShapeSession::notice);
+    QSignalSpy told(&session.document(), &Document::notice);
     stroke<Dim>({-1.3, 0}, {1.3, 0});
     QVERIFY(steps() == before && told.count() == 1);
     QVERIFY(undo() && isStiff(-0.9));

@@ -145,7 +145,7 @@ void TestOutlineTools::verify(double area, double tolerance, int parts) {
     QCOMPARE(domain().outline, OutlineKind::Polygons);
     const double drawn = areaOf(domain().polygons);
     QVERIFY2(std::abs(drawn - area) <= tolerance, qPrintable(QString("%1, not %2").arg(drawn).arg(area)));
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     QVERIFY(std::abs(meshedArea(*frame->rest) - drawn) < 1e-6 * drawn);
     QVERIFY2(std::abs(frame->vertices - kVertices) <= 0.15 * kVertices,
              qPrintable(QString::number(frame->vertices)));
@@ -169,13 +169,13 @@ void TestOutlineTools::limbsBecomeParts() {
     QCOMPARE(partUnder(*m_canvas, m_canvas->toWidget({30, 100}), false), 0);
     QCOMPARE(partUnder(*m_canvas, m_canvas->toWidget({100, 80}), false), -1);  // what is in front of it
     m_session->selection().set({0});
-    QVERIFY(!m_session->mayChange(0));  // a drag beside the part does not take the ground along …
+    QVERIFY(!m_session->gestures().mayChange(0));  // a drag beside the part does not take the ground along …
     m_session->gestures().begin();
-    QVERIFY(!m_session->isDragging());
-    setLocked(*m_session, {0}, false);  // … until it is unlocked
-    QVERIFY(m_session->mayChange(0));
+    QVERIFY(!m_session->motion().isDragging());
+    setLocked(m_session->document(), m_session->pins(), {0}, false);  // … until it is unlocked
+    QVERIFY(m_session->gestures().mayChange(0));
     m_session->document().undoStack()->undo();
-    QVERIFY(m_session->frame<2>() && m_session->frame<2>()->rest->parts.size() == 2);
+    QVERIFY(m_session->motion().frame<2>() && m_session->motion().frame<2>()->rest->parts.size() == 2);
     draw({{70, 60}, {100, 60}, {100, 90}, {70, 90}});
     QCOMPARE(domain().parts.size(), std::size_t(3));
     QCOMPARE(domain().parts[0].cutFrom, domain().parts[1].name);  // the part in front of the photograph
@@ -255,7 +255,7 @@ void TestOutlineTools::cutParts() {
     verify(kWidth * kHeight, 0.01 * kHeight, 2);
     // Nothing of the picture is missing where it is parted.
     const Image& source = *m_session->document().picture();
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     const Image whole = converted(warpImage(source, *frame->rest, frame->pose, {source.width, source.height}),
                                   {PixelType::Float, 4, true, true});
     double least = 1;
@@ -348,7 +348,7 @@ void TestOutlineTools::whatIsAtRestStays() {
     domainOf(*same) = domainOf(*before);
     QCOMPARE(toJson(*same), toJson(*before));
     m_session->playback().setTime(m_session->playback().end());
-    const auto pins = m_session->pins();
+    const auto pins = m_session->gestures().pins();
     QCOMPARE(pins.size(), std::size_t(2));
     QVERIFY((pins[pin].centre - Vec3(220, 110, 0)).norm() < 0.5);
     m_session->document().undoStack()->undo();
@@ -360,12 +360,12 @@ void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
     m_session->document().open(openFile(writeCutOut(m_folder)));
     QVERIFY(settle(*m_session));
     m_canvas->zoomTo(2);
-    MeshPanel panel(*m_session);
+    MeshPanel panel(m_session->document(), m_session->motion());
     const auto* margin = panel.findChild<OptionField*>(QStringLiteral("domain.outline.margin"));
     const QString usual = margin->focusProxy()->toolTip();
     QVERIFY(margin->isEnabled() && usual.startsWith("<p><b>Margin"));
     QStringList told;
-    connect(m_session.get(), &ShapeSession::notice, this, [&told](const QString& text) { told << text; });
+    connect(&m_session->document(), &Document::notice, this, [&told](const QString& text) { told << text; });
     use(OutlineTool::Shape::Lasso, true);
     for (const double x : {60.0, 120.0}) draw({{x, 50}, {x + 20, 50}, {x + 20, 70}, {x, 70}});
     QCOMPARE(domain().outline, OutlineKind::Polygons);
@@ -382,8 +382,8 @@ void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
 void TestOutlineTools::pinsBesideItGo() {
     QVERIFY(m_session->addPin({60, 60, 0}) >= 0 && m_session->addPin({250, 150, 0}) >= 0);
     QVERIFY(settle(*m_session));
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
-    QSignalSpy problems(m_session.get(), &ShapeSession::problem);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     use(OutlineTool::Shape::Lasso);
     draw({{30, 30}, {120, 30}, {120, 120}, {30, 120}});
     const auto& handles = m_session->document().design().handles;
@@ -427,7 +427,7 @@ void TestOutlineTools::noiseIsLeftOut() {
 /// A straight stroke of a lasso is a slip of the hand; a narrow band is none.
 void TestOutlineTools::linesAreNoParts() {
     use(OutlineTool::Shape::Lasso);
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     draw({{50, 40}, {150, 41}, {250, 40}});
     QCOMPARE(steps(), 0);
     QCOMPARE(notices.count(), 1);
@@ -461,7 +461,7 @@ void TestOutlineTools::gesturesAreGivenUp() {
     QTest::mouseRelease(m_canvas.get(), Qt::LeftButton, {}, at(100, 100));
     QCOMPARE(steps(), 0);
     use(OutlineTool::Shape::Lasso, true);
-    QSignalSpy notices(m_session.get(), &ShapeSession::notice);
+    QSignalSpy notices(&m_session->document(), &Document::notice);
     draw({{-20, -20}, {320, -20}, {320, 220}, {-20, 220}});  // all of it
     QCOMPARE(steps(), 0);
     QCOMPARE(notices.count(), 1);
@@ -500,7 +500,7 @@ void TestOutlineTools::finerWhereItIsBrushed() {
     SizeTool tool(*m_canvas, brush);
     m_canvas->viewport().setTool(&tool);
     const auto meanEdge = [&](bool within) {
-        const auto& rest = *m_session->frame<2>()->rest;
+        const auto& rest = *m_session->motion().frame<2>()->rest;
         double sum = 0;
         int count = 0;
         for (const auto& facet : facetsOf(rest)) {
@@ -516,7 +516,7 @@ void TestOutlineTools::finerWhereItIsBrushed() {
     draw({{80, 100}, {81, 100}});
     QVERIFY2(std::abs(meanEdge(true) / meanEdge(false) - 0.5) < 0.1,
              qPrintable(QString::number(meanEdge(true) / meanEdge(false))));
-    QVERIFY(std::abs(m_session->frame()->vertices - kVertices) <= 0.15 * kVertices);
+    QVERIFY(std::abs(m_session->motion().frame()->vertices - kVertices) <= 0.15 * kVertices);
     draw({{80, 100}, {81, 100}}, Qt::ControlModifier);
     QVERIFY(domain().sizes.empty());
     QVERIFY(std::abs(meanEdge(true) / meanEdge(false) - 1) < 0.15);

@@ -87,7 +87,7 @@ void TestPaintLayers::blends() {
     const double pixel = canvas.pixelSize(inSpace(Bar<Dim>::place(0, 0)));
     QVERIFY((blend.from - Bar<Dim>::place(-1, 0)).norm() < 2 * pixel &&
             (blend.to - Bar<Dim>::place(1, 0.2)).norm() < 2 * pixel);
-    const auto frame = session.frame<Dim>();
+    const auto frame = session.motion().frame<Dim>();
     QVERIFY(frame->material->phi == shown);
     for (int c = 0; c < frame->cells; ++c) {
         Vec<Dim> centre = Vec<Dim>::Zero();
@@ -106,7 +106,7 @@ void TestPaintLayers::blends() {
     QVERIFY((blend.to - Bar<Dim>::place(0.2, -0.2)).norm() < 2 * pixel);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(session));
-    QVERIFY(session.frame<Dim>()->material->phi == shown);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
     // Esc gives up, a click is no drag.
     stroke<Dim>({-0.5, 0}, {1, 0}, {}, false);
     QTest::keyClick(&canvas, Qt::Key_Escape);
@@ -134,7 +134,7 @@ void TestPaintLayers::fills() {
     QVERIFY(Bar<Dim>::open(*m_f) && setEverywhere<Dim>(kEverywhere));
     auto& session = m_f->session();
     const auto allAre = [&](double phi) {
-        const auto& is = session.frame<Dim>()->material->phi;
+        const auto& is = session.motion().frame<Dim>()->material->phi;
         return std::all_of(is.begin(), is.end(), [phi](double one) { return std::abs(one - phi) < 1e-12; });
     };
     QTest::keyClick(&Bar<Dim>::canvas(*m_f), Qt::Key_2, Qt::ControlModifier);
@@ -171,7 +171,7 @@ void TestPaintLayers::fillsEndWithTheirPart() {
     QVERIFY(settle(session));
     m_f->tool("fill")->trigger();
     const auto halfIs = [&](int side, double phi) {
-        const auto frame = session.frame<2>();
+        const auto frame = session.motion().frame<2>();
         for (int c = 0; c < frame->cells; ++c) {
             const bool isRight = frame->rest->points(0, frame->rest->cells[c][0]) > 120;
             if (isRight == (side > 0) && std::abs(frame->material->phi[c] - phi) > 1e-12) return false;
@@ -202,7 +202,7 @@ void TestPaintLayers::orderAndNames() {
         QVERIFY(settle(session));
     }
     const auto is = [&](double phi) {
-        return std::abs(session.frame<Dim>()->material->phi.front() - phi) < 1e-12;
+        return std::abs(session.motion().frame<Dim>()->material->phi.front() - phi) < 1e-12;
     };
     QCOMPARE(panel.list()->count(), 2);
     QVERIFY(is(phi::kEquia));

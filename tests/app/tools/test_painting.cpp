@@ -111,12 +111,12 @@ template <int Dim>
 void TestPainting::softRegions() {
     QVERIFY(Bar<Dim>::open(*m_f));
     auto& session = m_f->session();
-    const auto plain = session.frame<Dim>()->material->phi;
+    const auto plain = session.motion().frame<Dim>()->material->phi;
     m_f->tool("paint")->trigger();
     set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 40, b.hardness = 0.5; });
     stroke<Dim>({-1, 0}, {0.5, 0.1});
     QVERIFY(settle(session));
-    const auto frame = session.frame<Dim>();
+    const auto frame = session.motion().frame<Dim>();
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     QVERIFY(regions<Dim>().size() > 5);
     QVERIFY(m_f->window().actions().undo->text().contains(QStringLiteral("Rigid")));
@@ -152,16 +152,16 @@ void TestPainting::softRegions() {
     const auto painted = frame->material->phi;
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(session) && regions<Dim>().empty());
-    QVERIFY(session.frame<Dim>()->material->phi == plain);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == plain);
     m_f->window().actions().redo->trigger();
     QVERIFY(settle(session));
-    QVERIFY(session.frame<Dim>()->material->phi == painted);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == painted);
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("painted.wend"));
     session.document().save(path);
     m_f->window().openPath(path);
     QVERIFY(QTest::qWaitFor([&] { return session.document().source() == path; }, 20000) && settle(session));
-    QVERIFY(session.frame<Dim>()->material->phi == painted);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == painted);
 }
 
 void TestPainting::paintIsSeenAtOnce() {
@@ -174,12 +174,12 @@ void TestPainting::seenAtOnce() {
     QVERIFY(Bar<Dim>::open(*m_f));
     auto& session = m_f->session();
     auto& canvas = Bar<Dim>::canvas(*m_f);
-    const auto plain = session.frame<Dim>()->material->phi;
+    const auto plain = session.motion().frame<Dim>()->material->phi;
     m_f->tool("paint")->trigger();
     QVERIFY(m_f->window().actions().showMap->isChecked());
     stroke<Dim>({-1, 0}, {1, 0}, {}, false);
     QVERIFY(regions<Dim>().empty());
-    QVERIFY(session.frame<Dim>()->material->phi == plain);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == plain);
     QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain);
     canvas.setFocus();
     QTest::keyClick(&canvas, Qt::Key_Escape);
@@ -188,16 +188,16 @@ void TestPainting::seenAtOnce() {
     QVERIFY(regions<Dim>().empty());
     stroke<Dim>({-1, 0}, {1, 0});
     const auto shown = posed<Dim>(canvas.shownFrame())->material->phi;
-    QVERIFY(shown != plain && session.isStale());
+    QVERIFY(shown != plain && session.motion().isStale());
     QVERIFY(settle(session));
-    QVERIFY(session.frame<Dim>()->material->phi == shown);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
     m_f->picture(QStringLiteral("painted-%1").arg(Dim));
     // The first of two strokes that follow each other at once stays.
     stroke<Dim>({-1, 0.3}, {-0.5, 0.3});
     m_f->window().actions().undo->trigger();
-    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain || session.isStale());
+    QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain || session.motion().isStale());
     QVERIFY(settle(session));
-    QVERIFY(session.frame<Dim>()->material->phi == shown);
+    QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
 }
 
 /// The left half of the bar has another energy, and the view shows what is painted.
@@ -317,7 +317,7 @@ void TestPainting::combedPartsStretchLess() {
 /// How far the middle goes when the right end is pulled by a unit and the left one is held.
 template <int Dim>
 double TestPainting::middleMoves() {
-    const auto frame = m_f->session().frame<Dim>();
+    const auto frame = m_f->session().motion().frame<Dim>();
     double moved = 0;
     int count = 0;
     for (int v = 0; v < frame->vertices; ++v) {
@@ -376,7 +376,7 @@ void TestPainting::eraseSmoothAndPick() {
     const auto cellAt = [&](double u) {
         return canvas.touch(canvas.toWidget(Bar<Dim>::place(u, 0)))->place.cell;
     };
-    const auto phiAt = [&](double u) { return session.frame<Dim>()->material->phi[cellAt(u)]; };
+    const auto phiAt = [&](double u) { return session.motion().frame<Dim>()->material->phi[cellAt(u)]; };
     QCOMPARE(phiAt(0), phi::conformal(Dim));
     // Alt picks up and paints nothing.
     set([](BrushSettings& b) { b.phi = phi::kEquia; });
@@ -462,7 +462,7 @@ void TestPainting::pressPen() {
                 .template findChild<QToolBar*>(QStringLiteral("optionRow"))
                 ->actions()
                 .contains(pressure));
-    const double before = stopOfPhi(session.frame<Dim>()->material->phi[0], Dim);
+    const double before = stopOfPhi(session.motion().frame<Dim>()->material->phi[0], Dim);
     set([](BrushSettings& b) { b.phi = phi::kAkvf, b.radius = 20, b.hardness = 1; });
     const double aim = stopOfPhi(phi::kAkvf, Dim);
     const auto on = [&](double u) { return canvas.toWidget(Bar<Dim>::place(u, 0)).toPoint(); };
@@ -681,7 +681,7 @@ void TestPainting::erase() {
     QVERIFY(settle(session));
     const auto phiAt = [&](double u) {
         const int cell = canvas.touch(canvas.toWidget(Bar<Dim>::place(u, 0)))->place.cell;
-        return session.frame<Dim>()->material->phi[cell];
+        return session.motion().frame<Dim>()->material->phi[cell];
     };
     QCOMPARE(phiAt(0), phi::conformal(Dim));
     QTest::keyClick(&canvas, Qt::Key_E);
@@ -776,7 +776,7 @@ void TestPainting::carryDirections() {
         session.gestures().moveAtOnce(Grip{}, amount);
     }
     QVERIFY(settle(session));
-    const auto frame = session.frame<Dim>();
+    const auto frame = session.motion().frame<Dim>();
     Vec<Dim> now = Vec<Dim>::Zero();  // of the middle
     for (int v = 0; v < frame->vertices; ++v)
         now += (frame->pose.col(v) - frame->rest->points.col(v)) / frame->vertices;

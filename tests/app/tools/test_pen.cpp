@@ -90,7 +90,7 @@ bool TestPen::open(int dimension) {
 
 QPoint TestPen::pin(int h) {
     if (isSolid()) return m_f->at(m_f->pin(h));
-    for (const auto& view : m_f->session().pins())
+    for (const auto& view : m_f->session().gestures().pins())
         if (view.handle == h) return m_f->window().canvas().onScreen(view.centre).toPoint();
     return {};
 }
@@ -177,7 +177,7 @@ void TestPen::partsOfAPathAreTakenBack() {
     key(Qt::Key_Backspace);
     key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(steps(), before);
-    QCOMPARE(m_f->session().handleCount(), 2);
+    QCOMPARE(m_f->session().pins().count(), 2);
     click(start + QPoint(-20, 50));
     key(Qt::Key_Enter);
     QCOMPARE(steps(), before + 1);
@@ -263,7 +263,7 @@ void TestPen::selectedPinsGoTogether() {
 /// Beside all pins, with none selected, and from one that is locked; both are said.
 void TestPen::whatCannotMoveIsNotDrawn() {
     QVERIFY(open(2));
-    QSignalSpy told(&m_f->session(), &ShapeSession::notice);
+    QSignalSpy told(&m_f->session().document(), &Document::notice);
     click(pin(1) + QPoint(-60, 0));
     QVERIFY(told.size() == 1 && told.last().first().toString().contains(QStringLiteral("Click the pin")));
     Document& document = m_f->session().document();

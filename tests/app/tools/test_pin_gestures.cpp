@@ -64,7 +64,7 @@ class TestPinGestures : public QObject {
     }
     template <int Dim>
     Vec<Dim> pin(int handle) {
-        for (const auto& view : session().pins(true))
+        for (const auto& view : session().gestures().pins(true))
             if (view.handle == handle) return view.centre.head<Dim>();
         return Vec<Dim>::Zero();
     }
@@ -131,7 +131,7 @@ bool TestPinGestures::open(const std::vector<double>& places) {
         if (!let(at<Dim>(u))) return false;
         session().selection().clear();  // what stands around a pin may lie where the next one goes
     }
-    return session().handleCount() == static_cast<int>(places.size());
+    return session().pins().count() == static_cast<int>(places.size());
 }
 
 void TestPinGestures::press(const QPoint& at, Qt::KeyboardModifiers modifiers) {
@@ -169,13 +169,13 @@ template <int Dim>
 void TestPinGestures::setAndDrag() {
     QVERIFY(open<Dim>({-1.5}));
     const int steps = undo().count();
-    const Points<Dim> before = session().frame<Dim>()->pose;
+    const Points<Dim> before = session().motion().frame<Dim>()->pose;
     const QPoint from = at<Dim>(1.5), way(-20, -60);
     press(from);
     moveBy(from, way);
-    QCOMPARE(session().handleCount(), 2);
-    QVERIFY(session().isDragging());
-    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    QCOMPARE(session().pins().count(), 2);
+    QVERIFY(session().motion().isDragging());
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().frame()->live; }, 20000));
     QVERIFY(let(from + way));
     QCOMPARE(undo().count(), steps + 1);
     QCOMPARE(undo().undoText(), QStringLiteral("Add Pin 2"));
@@ -184,19 +184,19 @@ void TestPinGestures::setAndDrag() {
     // Where the hand has it.
     const QPointF now = canvas.toWidget(pin<Dim>(1)), hand = from + way;
     QVERIFY2(QLineF(now, hand).length() < 2, qPrintable(QString::number(QLineF(now, hand).length())));
-    const Points<Dim> bent = session().frame<Dim>()->pose;
+    const Points<Dim> bent = session().motion().frame<Dim>()->pose;
     QVERIFY((bent - before).colwise().norm().maxCoeff() > 20 * canvas.pixelSize(inSpace(pin<Dim>(1))));
     undo().undo();
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), 1);
-    QVERIFY(session().frame<Dim>()->pose == before);
+    QCOMPARE(session().pins().count(), 1);
+    QVERIFY(session().motion().frame<Dim>()->pose == before);
     undo().redo();
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), 2);
-    QVERIFY(session().frame<Dim>()->pose == bent);
+    QCOMPARE(session().pins().count(), 2);
+    QVERIFY(session().motion().frame<Dim>()->pose == bent);
     // The next one is another step.
     QVERIFY(drag(at<Dim>(0), {0, 40}));
-    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().pins().count(), 3);
     QCOMPARE(undo().count(), steps + 2);
 }
 
@@ -211,9 +211,9 @@ void TestPinGestures::giveUp() {
     const auto before = session().document().project();
     press(at<Dim>(1));
     moveBy(at<Dim>(1), {0, -50});
-    QCOMPARE(session().handleCount(), 2);
+    QCOMPARE(session().pins().count(), 2);
     QTest::keyClick(&m_f->view(), Qt::Key_Escape);
-    QCOMPARE(session().handleCount(), 1);
+    QCOMPARE(session().pins().count(), 1);
     QVERIFY(let(at<Dim>(1) + QPoint(0, -50)));
     QCOMPARE(undo().count(), steps);
     QVERIFY(!undo().canRedo());
@@ -248,7 +248,7 @@ void TestPinGestures::drawBeside() {
     m_f->tool("select")->trigger();
     QVERIFY(drag(over, way));
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
-    QCOMPARE(session().handleCount(), 2);
+    QCOMPARE(session().pins().count(), 2);
 }
 
 /// A click is the tool's all the same.
@@ -257,11 +257,11 @@ void TestPinGestures::viewsThatTheLeftButtonTurnsAreTurned() {
     m_f->actions().vtkKeys->trigger();
     const Vec<3> before = m_f->canvas().viewDirection();
     QVERIFY(drag(at<3>(0), {50, 0}));
-    QCOMPARE(session().handleCount(), 0);
+    QCOMPARE(session().pins().count(), 0);
     QVERIFY((m_f->canvas().viewDirection() - before).norm() > 0.05);
     press(at<3>(0));
     QVERIFY(let(at<3>(0)));
-    QCOMPARE(session().handleCount(), 1);
+    QCOMPARE(session().pins().count(), 1);
     m_f->actions().wendKeys->trigger();
 }
 
@@ -298,7 +298,7 @@ void TestPinGestures::choose(DrawnOutline::Kind kind) {
     QVERIFY(let(way[2]));
     QCOMPARE(session().selection().contains(1), kind == Rectangle);
     if (kind == Brush) QCOMPARE(session().selection().handles(), std::vector<int>{2});
-    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().pins().count(), 3);
 }
 
 void TestPinGestures::partsAreGrabbed() {
@@ -326,12 +326,12 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     const QPoint middle = at<Dim>(0.2);
     const auto held = [this] {
         std::size_t count = 0;
-        for (const auto& view : session().pins())
+        for (const auto& view : session().gestures().pins())
             if (view.handle == 1) count = view.points.size();
         return count;
     };
     QVERIFY(draw(middle));
-    QCOMPARE(session().handleCount(), 2);
+    QCOMPARE(session().pins().count(), 2);
     QVERIFY(m_f->tool("select")->isChecked());
     QCOMPARE(hint(), viewport<Dim>().tool()->hint());  // no longer that of what has drawn
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
@@ -341,7 +341,7 @@ void TestPinGestures::grab(DrawnOutline::Kind kind) {
     QVERIFY(held() > first);
     QVERIFY(draw(middle + along, Qt::ControlModifier));
     QVERIFY(held() < first);
-    QCOMPARE(session().handleCount(), 2);
+    QCOMPARE(session().pins().count(), 2);
     const int steps = undo().count();
     QVERIFY(draw(at<Dim>(0.2, 1.7)));
     QCOMPARE(undo().count(), steps);
@@ -372,9 +372,9 @@ void TestPinGestures::widen() {
     const double pixel = canvas.pixelSize(inSpace(middle));
     QVERIFY2(std::abs(ball->radius - 70 * pixel) < 2 * pixel,
              qPrintable(QString::number(ball->radius / pixel)));
-    QVERIFY((ball->centre - inSpace(middle)).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((ball->centre - inSpace(middle)).norm() < 1e-9 * session().motion().frame()->diagonal);
     // One that is wide rotates.
-    QVERIFY(session().pins()[1].points.size() > 1);
+    QVERIFY(session().gestures().pins()[1].points.size() > 1);
     undo().undo();
     QVERIFY(drag(from, {4, 0}, Qt::AltModifier));  // nothing lies so near
     QCOMPARE(undo().count(), steps + 1);
@@ -401,7 +401,7 @@ void TestPinGestures::widenByGrip() {
         QCOMPARE(undo().index(), steps + 1);
         const Placement<3> wide = place();
         QVERIFY(std::holds_alternative<Region<3>>(wide));
-        QVERIFY(session().pins()[1].points.size() > std::size_t{Dim});
+        QVERIFY(session().gestures().pins()[1].points.size() > std::size_t{Dim});
         undo().undo();
         QVERIFY(settle(session()));
         const Placement<3> point = place();
@@ -424,7 +424,7 @@ double fittedAngle(const std::vector<Vec3>& before, const std::vector<Vec3>& aft
 
 /// The angle of the shape around a pin.
 double TestPinGestures::angleAround(int handle, double reach) {
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     std::vector<Vec3> before, after;
     for (int v = 0; v < frame->rest->vertexCount(); ++v) {
         if ((frame->pose.col(v) - pin<2>(handle)).norm() >= reach) continue;
@@ -436,9 +436,9 @@ double TestPinGestures::angleAround(int handle, double reach) {
 
 /// The angle of the points that a pin holds.
 double TestPinGestures::angleOf(int handle) {
-    const PinView view = session().pins()[static_cast<std::size_t>(handle)];
+    const PinView view = session().gestures().pins()[static_cast<std::size_t>(handle)];
     std::vector<Vec3> before;
-    for (const Place& place : view.places) before.push_back(session().frame()->restAt(place));
+    for (const Place& place : view.places) before.push_back(session().motion().frame()->restAt(place));
     return fittedAngle(before, view.points);
 }
 
@@ -507,11 +507,12 @@ void TestPinGestures::pointsTurnOnFromTheirAngle() {
         at = middle + QPoint(qRound(44 * std::cos(0.02 * k)), qRound(44 * std::sin(0.02 * k)));
         moveBy(at, {});
     }
-    QTRY_VERIFY(session().frame() && session().frame()->live && session().frame()->sample >= 4);
+    QTRY_VERIFY(session().motion().frame() && session().motion().frame()->live &&
+                session().motion().frame()->sample >= 4);
     const double live = angleAround(1, reach);
     QVERIFY(let(at));
     const double after = angleAround(1, reach);
-    QVERIFY(!session().frame()->live);
+    QVERIFY(!session().motion().frame()->live);
     QVERIFY2(std::abs(live - after) < 0.5 * std::abs(before),
              qPrintable(QString("%1 %2 %3").arg(before).arg(live).arg(after)));
 }
@@ -534,14 +535,15 @@ void TestPinGestures::lock() {
         QTest::keyClick(&m_f->view(), axis == 0 ? Qt::Key_X : Dim == 2 ? Qt::Key_Y : Qt::Key_Z);
         moveBy(from, {-33, 22});
         const Vec<Dim> now = pin<Dim>(1) - before;
-        QVERIFY(std::abs(now[axis]) > 1e-3 * session().frame()->diagonal);
-        QVERIFY((now - now[axis] * Vec<Dim>::Unit(axis)).norm() < 1e-9 * session().frame()->diagonal);
+        QVERIFY(std::abs(now[axis]) > 1e-3 * session().motion().frame()->diagonal);
+        QVERIFY((now - now[axis] * Vec<Dim>::Unit(axis)).norm() <
+                1e-9 * session().motion().frame()->diagonal);
         QTest::keyClicks(&m_f->view(), QString::number(wanted));
         QTest::keyClick(&m_f->view(), Qt::Key_Return);
         let(from);
         QVERIFY(settle(session()));
         const double error = (pin<Dim>(1) - before - wanted * Vec<Dim>::Unit(axis)).norm();
-        QVERIFY2(error < 1e-3 * session().frame()->diagonal, qPrintable(QString::number(error)));
+        QVERIFY2(error < 1e-3 * session().motion().frame()->diagonal, qPrintable(QString::number(error)));
     }
 }
 
@@ -563,7 +565,7 @@ void TestPinGestures::arrowsFollowTheScreen() {
     QTest::keyClick(&m_f->view(), Qt::Key_Up, Qt::ShiftModifier);
     QVERIFY(settle(session()));
     QVERIFY(m_f->window().canvas().toWidget(pin<2>(1)).y() < before.y() - 0.1);
-    QVERIFY((pin<2>(1) - place - Vec<2>(0, 10 * session().pixel())).norm() < 1e-9);
+    QVERIFY((pin<2>(1) - place - Vec<2>(0, 10 * session().motion().pixel())).norm() < 1e-9);
 }
 
 /// Along the nearest of eight ways of the screen, also when it is held from the start, which lets nothing go.
@@ -672,7 +674,7 @@ void TestPinGestures::widenByNumber() {
     QVERIFY((points->front() - inSpace(Bar<Dim>::place(0.8, 0))).norm() < 0.1 * Bar<Dim>::kUnit);
     QVERIFY(settle(session()));
     QVERIFY(radius->isVisible() && radius->value() == 0);
-    QCOMPARE(session().pins()[1].points.size(), 1U);
+    QCOMPARE(session().gestures().pins()[1].points.size(), 1U);
     session().selection().set({0});
     QVERIFY(radius->isVisible() && radius->value() == 0);
 }
@@ -699,7 +701,7 @@ void TestPinGestures::sizeBeside() {
         size->setValue(across);
         session().selection().clear();
         drag(at<Dim>(0), QPoint(1, 0));
-        return session().pins().back().points.size();
+        return session().gestures().pins().back().points.size();
     };
     const auto few = held(50);
     m_f->tool("grabBrush")->trigger();

@@ -118,12 +118,12 @@ bool TestPins::open() {
     m_f->tool("select")->trigger();
     session().selection().clear();
     m_f->picture(QStringLiteral("pins-%1").arg(Dim));
-    return session().handleCount() == 3;
+    return session().pins().count() == 3;
 }
 
 template <int Dim>
 Vec<Dim> TestPins::pin(int handle) {
-    for (const auto& view : session().pins(true))
+    for (const auto& view : session().gestures().pins(true))
         if (view.handle == handle) return view.centre.head<Dim>();
     return Vec<Dim>::Zero();
 }
@@ -179,7 +179,7 @@ void TestPins::lock() {
     QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
     m_f->window().actions().remove->trigger();
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().pins().count(), 3);
     QCOMPARE(session().document().undoStack()->count(), steps);
     QCOMPARE((pin<Dim>(2) - place).norm(), 0.0);
     QVERIFY(pins().lock->isChecked());
@@ -223,7 +223,7 @@ void TestPins::hide() {
     m_f->window().actions().selectAll->trigger();
     QCOMPARE(session().selection().handles(), (std::vector<int>{0, 2}));
     QVERIFY(drag<Dim>(2, {0, -60}));
-    QVERIFY((pin<Dim>(1) - place).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((pin<Dim>(1) - place).norm() < 1e-9 * session().motion().frame()->diagonal);
     pins().showAll->trigger();
     QVERIFY(settle(session()) && !traits(1).hidden && !pins().showAll->isEnabled());
     click<Dim>(at<Dim>(pin<Dim>(1)));
@@ -315,8 +315,8 @@ void TestPins::link() {
     QCOMPARE(session().document().undoStack()->count(), steps + 1);
     const Vec<Dim> by = pin<Dim>(0) - before[0];
     QVERIFY(by.norm() > 30 * Bar<Dim>::canvas(*m_f).pixelSize(inSpace(before[0])));
-    QVERIFY((pin<Dim>(2) - before[2] - by).norm() < 1e-9 * session().frame()->diagonal);
-    QVERIFY((pin<Dim>(1) - before[1]).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((pin<Dim>(2) - before[2] - by).norm() < 1e-9 * session().motion().frame()->diagonal);
+    QVERIFY((pin<Dim>(1) - before[1]).norm() < 1e-9 * session().motion().frame()->diagonal);
     m_f->window().actions().undo->trigger();
     QCOMPARE(toJson(m_f->project()), text);
     session().selection().set({0});
@@ -324,7 +324,7 @@ void TestPins::link() {
     pins().link->trigger();
     QVERIFY(traits(0).link == 0 && traits(2).link == 0);  // one alone is no link
     QVERIFY(settle(session()) && drag<Dim>(0, {12, -40}));
-    QVERIFY((pin<Dim>(2) - before[2]).norm() < 1e-9 * session().frame()->diagonal);
+    QVERIFY((pin<Dim>(2) - before[2]).norm() < 1e-9 * session().motion().frame()->diagonal);
 }
 
 void TestPins::mirrorImagesMoveAsInAMirror() {
@@ -338,19 +338,20 @@ void TestPins::mirror() {
     QVERIFY(open<Dim>());
     session().selection().set({2});
     m_f->window().actions().remove->trigger();
-    QVERIFY(settle(session()) && session().handleCount() == 2);
+    QVERIFY(settle(session()) && session().pins().count() == 2);
     const Vec<Dim> rest = pin<Dim>(0);
     QVERIFY(drag<Dim>(0, {-10, -30}));
     const Vec<Dim> way = pin<Dim>(0) - rest;
     session().selection().set({0});
     pins().mirror->trigger();
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), 3);
+    QCOMPARE(session().pins().count(), 3);
     QCOMPARE(session().selection().handles(), std::vector<int>{2});
     const double middle = Bar<Dim>::place(0, 0).x(), pixel = Bar<Dim>::canvas(*m_f).pixelSize(inSpace(rest));
     Vec<Dim> expected = rest + way;
     expected.x() = 2 * middle - expected.x();
-    QVERIFY2((pin<Dim>(2) - expected).norm() < (Dim == 2 ? 0.01 * pixel : 0.02 * session().frame()->diagonal),
+    QVERIFY2((pin<Dim>(2) - expected).norm() <
+                 (Dim == 2 ? 0.01 * pixel : 0.02 * session().motion().frame()->diagonal),
              qPrintable(QString::number((pin<Dim>(2) - expected).norm() / pixel)));
     session().selection().set({0});
     const int steps = session().document().undoStack()->count();
@@ -376,7 +377,7 @@ void TestPins::keep() {
     const std::string plain = toJson(m_f->project());
     QUndoStack& undo = *session().document().undoStack();
     const int first = undo.index();
-    const auto rest = session().frame<Dim>()->rest;
+    const auto rest = session().motion().frame<Dim>()->rest;
     session().selection().set({0});
     pins().lock->trigger();
     session().selection().set({1});
@@ -391,7 +392,7 @@ void TestPins::keep() {
     for (QAction* action : pins().menu()->actions())
         if (action->menu()) action->menu()->actions().at(1)->trigger();
     QVERIFY(settle(session()));
-    QVERIFY(session().frame<Dim>()->rest == rest);  // the shape does not depend on any of it
+    QVERIFY(session().motion().frame<Dim>()->rest == rest);  // the shape does not depend on any of it
     QCOMPARE(undo.index(), first + 5);
     const std::string changed = toJson(m_f->project());
     undo.setIndex(first);
@@ -440,7 +441,7 @@ void TestPins::pick() {
     QVERIFY(!snap->isChecked());
     for (const bool snaps : {true, false}) {
         snap->setChecked(snaps);
-        const auto frame = session().frame<Dim>();
+        const auto frame = session().motion().frame<Dim>();
         const Points<Dim> corners = frame->rest->points;
         const Vec<Dim> place = Bar<Dim>::place(snaps ? -1.1 : -0.7, 0.13);
         click<Dim>(at<Dim>(place));
@@ -470,7 +471,7 @@ void TestPins::setByKeys() {
     const QPointF middle = canvas.toWidget(Bar<Dim>::place(0, 0));
     QTest::keyClick(&canvas, Qt::Key_Return);
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), 1);
+    QCOMPARE(session().pins().count(), 1);
     const QPointF set = canvas.toWidget(pin<Dim>(0));
     QVERIFY2(QLineF(set, middle + QPointF(200, 0)).length() < (Dim == 2 ? 1.5 : 40),
              qPrintable(QString::number(QLineF(set, middle + QPointF(200, 0)).length())));
@@ -479,13 +480,13 @@ void TestPins::setByKeys() {
     QTest::keyClick(&canvas, Qt::Key_Left);
     QTest::keyClick(&canvas, Qt::Key_Return);
     QVERIFY(settle(session()));
-    if (Dim == 2) QCOMPARE(session().handleCount(), 1);  // within reach of the pin: it is selected
+    if (Dim == 2) QCOMPARE(session().pins().count(), 1);  // within reach of the pin: it is selected
     QVERIFY(!session().selection().isEmpty());
     for (int i = 0; i < 8; ++i) {  // more than the list has room for: the new one is seen in it
-        session().addPin(session().frame()->vertex(7 * i));
+        session().addPin(session().motion().frame()->vertex(7 * i));
         const QTreeWidget& rows = *list().list();
-        QVERIFY(
-            rows.viewport()->rect().contains(rows.visualItemRect(list().rowOf(session().handleCount() - 1))));
+        QVERIFY(rows.viewport()->rect().contains(
+            rows.visualItemRect(list().rowOf(session().pins().count() - 1))));
     }
 }
 
@@ -559,7 +560,7 @@ int widest(const std::function<void(QPainter&)>& paint) {
 void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
     QVERIFY(open<2>());
     ShapeCanvas& canvas = m_f->window().canvas();
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     Points<2> velocity = Points<2>::Zero(2, frame->pose.cols());
     velocity.row(0).setConstant(0.5);
     velocity(0, 0) = 1;  // the fastest one's arrow is 30 long
@@ -587,7 +588,7 @@ void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
 /// are no more.
 void TestPins::glyphsAreAsLargeAsChosen() {
     QVERIFY(open<3>());
-    const auto frame = session().frame<3>();
+    const auto frame = session().motion().frame<3>();
     PosedFrame<3> stiff = *frame;
     auto material = std::make_shared<Material<3>>(*frame->material);
     material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<3>({Vec<3>::UnitX(), 4}));

@@ -70,7 +70,7 @@ class TestPosing : public QObject {
     const Project& project() { return *session().document().project(); }
     const std::vector<Pin>& handles() { return session().document().design().handles; }
     QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
-    Vec<2> pin(int h) { return inPlane(session().pins()[h].centre); }
+    Vec<2> pin(int h) { return inPlane(session().gestures().pins()[h].centre); }
     double pixel() { return 1 / canvas().view().zoom(); }
     const PinActions& pinActions() { return *m_window->findChild<PinActions*>(); }
     void click(const Vec<2>& p) { QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(p)); }
@@ -194,7 +194,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QVERIFY(std::abs(seen.y() - 105) < 4);
     const QPoint from = at(seen), to = from + QPoint(-40, 0);
     press(from, to);
-    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().frame()->live; }, 20000));
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);  // it stays under the pointer
     release(to);
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);
@@ -216,13 +216,13 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
 void TestPosing::pinsAreSetAtTheTimeThatIsShown() {
     drag({200, 80}, {200, 120});
     scrub(0.5);
-    const Points<2> shown = session().frame<2>()->pose;
+    const Points<2> shown = session().motion().frame<2>()->pose;
     click({120, 82});
     QVERIFY(settle(session()));
     QCOMPARE(handles().size(), std::size_t(3));
     QVERIFY(std::abs(handles()[2].activeFrom - 0.5) < 0.03);
     // The integrator begins anew there: it is the same but for its error.
-    QVERIFY((session().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 0.05);
+    QVERIFY((session().motion().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 0.05);
     const Vec<2> added = pin(2);
     QVERIFY((added - Vec<2>(120, 82)).norm() < 2 * pixel());
     m_window->actions().toEnd->trigger();
@@ -233,7 +233,7 @@ void TestPosing::pinsAreSetAtTheTimeThatIsShown() {
 
 void TestPosing::lengthIsTyped() {
     drag({200, 80}, {190, 110});
-    const Points<2> end = session().frame<2>()->pose;
+    const Points<2> end = session().motion().frame<2>()->pose;
     auto* length = m_window->findChild<TimeStrip*>()->length();
     length->setFocus();
     length->selectAll();
@@ -244,7 +244,7 @@ void TestPosing::lengthIsTyped() {
     QCOMPARE(handles()[1].motions[0].end, 2.5);
     QCOMPARE(session().playback().end(), 2.5);
     QVERIFY(canvas().hasFocus());
-    QVERIFY((session().frame<2>()->pose - end).colwise().norm().maxCoeff() < 1e-6);
+    QVERIFY((session().motion().frame<2>()->pose - end).colwise().norm().maxCoeff() < 1e-6);
     QTest::keyClick(&canvas(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(settle(session()));
     QCOMPARE(project().end, 1.0);
@@ -259,7 +259,7 @@ void TestPosing::posesSurviveAFile() {
     scrub(0.7);
     drag(pin(0), pin(0) + Vec<2>(0, -12));
     const std::string text = toJson(project());
-    const Points<2> shown = session().frame<2>()->pose;
+    const Points<2> shown = session().motion().frame<2>()->pose;
     const QString path = m_folder->filePath(QStringLiteral("posed.wend"));
     session().document().save(path);
     const int generation = session().document().generation();
@@ -270,7 +270,7 @@ void TestPosing::posesSurviveAFile() {
     session().playback().setTime(session().playback().end());
     QVERIFY(settle(session()));
     QCOMPARE(toJson(project()), text);
-    QVERIFY((session().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 1e-6);
+    QVERIFY((session().motion().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 1e-6);
 }
 
 void TestPosing::regionsAreDraggedFromInside() {
@@ -344,13 +344,13 @@ void TestPosing::regionsVeilNothing() {
 void TestPosing::ringRotatesAndScales() {
     widen(1, 18);
     const Vec<2> centre = pin(1);
-    const auto before = session().pins()[1].points;
+    const auto before = session().gestures().pins()[1].points;
     press(ringSpot(1, 31, -31), ringSpot(1, 31, 31));  // a quarter, clockwise
     release(ringSpot(1, 31, 31));
     const auto* turn = std::get_if<Rotate<3>>(&handles()[1].motions.at(0).kind);
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.03);
     QVERIFY((pin(1) - centre).norm() < 0.5);
-    const auto turned = session().pins()[1].points;
+    const auto turned = session().gestures().pins()[1].points;
     for (std::size_t i = 0; i < turned.size(); ++i) {
         const Vec<2> hub = inPlane(turn->centre), arm = inPlane(before[i]) - hub;
         QVERIFY((inPlane(turned[i]) - hub - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
@@ -369,7 +369,7 @@ void TestPosing::ringRotatesAndScales() {
     QVERIFY(std::abs(steps - std::round(steps)) < 1e-9 && std::round(steps) == 2);
     const int count = session().document().undoStack()->count();
     QTest::keyClick(&canvas(), Qt::Key_Escape);
-    QVERIFY(!session().isDragging());
+    QVERIFY(!session().motion().isDragging());
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 42, -10));
     QCOMPARE(session().document().undoStack()->count(), count);
 }
@@ -420,7 +420,7 @@ void TestPosing::pointsBecomeDiscs() {
     for (const auto& [key, kind] : {std::pair{Qt::Key_R, Grip::Kind::Turn}, {Qt::Key_S, Grip::Kind::Grow}}) {
         QTest::keyClick(&canvas(), key);
         press(ringSpot(1, -70, 0), ringSpot(1, -90, 30));
-        QVERIFY(session().isDragging());
+        QVERIFY(session().motion().isDragging());
         QVERIFY(session().gestures().drag() && session().gestures().drag()->grip().kind == kind);
         QTest::keyClick(&canvas(), Qt::Key_Escape);
         release(ringSpot(1, -90, 30));
@@ -459,7 +459,7 @@ void TestPosing::numbersMoveTurnAndGrow() {
         QTest::mouseClick(apply, Qt::LeftButton);
         QVERIFY(settle(session()));
     };
-    const auto held = [&] { return session().pins()[1].points; };
+    const auto held = [&] { return session().gestures().pins()[1].points; };
     const auto before = held();
     const Vec<2> by(-12.5, 7.25), centre = pin(1) + by;
     step(0, {QStringLiteral("-12.5"), QStringLiteral("7.25")});
@@ -602,11 +602,11 @@ void TestPosing::partsAreHeldByOutlines() {
     QCOMPARE(handles().size(), std::size_t(3));
     QVERIFY(std::holds_alternative<Polygon>(std::get<Region<3>>(handles()[2].at)));
     QVERIFY(m_window->actions().selectTool->isChecked());
-    const auto before = session().pins()[2].points;
+    const auto before = session().gestures().pins()[2].points;
     QVERIFY(before.size() > 5);
     const Vec<2> inside(138, 80);  // where the brush was, too
     drag(inside, inside + Vec<2>(0, 9));
-    const auto after = session().pins()[2].points;
+    const auto after = session().gestures().pins()[2].points;
     for (std::size_t i = 0; i < before.size(); ++i)
         QVERIFY((after[i] - before[i] - Vec3(0, 9, 0)).norm() < 2 * pixel());
     const std::string text = toJson(project());
@@ -626,7 +626,7 @@ void TestPosing::partsGrowAndShrink() {
         QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
         QTest::mouseMove(&canvas(), at(to));
         release(at(to), modifiers);
-        return session().pins()[2].points.size();
+        return session().gestures().pins()[2].points.size();
     };
     const std::size_t first = box({100, 66}, {130, 94}, {});
     QVERIFY(box({125, 66}, {155, 94}, Qt::ShiftModifier) > first);
@@ -674,7 +674,7 @@ void TestPosing::pinsByKeyboard() {
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Delete);  // it held while the other one moved
     QVERIFY(settle(session()));
-    QCOMPARE(session().pins().size(), std::size_t(1));
+    QCOMPARE(session().gestures().pins().size(), std::size_t(1));
     QCOMPARE(list->topLevelItemCount(), 2);
     QVERIFY(list->topLevelItem(0)->font(0).italic());
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/base/connect_each.h"
 #include "app/panels/pin_list.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
@@ -77,7 +78,7 @@ void TestRandomGestures::documentStaysWhole() {
     QFETCH(int, seed);
     QVERIFY(m_f->openProject(dimension, 300));
     const std::string opened = toJson(m_f->project());
-    const auto atRest = session().frame();
+    const auto atRest = session().motion().frame();
     keepSteps();
     QObject scope;
     whileAsked(&scope, [](QWidget& dialog) {
@@ -103,7 +104,7 @@ void TestRandomGestures::documentStaysWhole() {
     QCOMPARE(toJson(m_f->project()), opened);
     QVERIFY(settles("at the beginning"));
     session().playback().setTime(0);
-    const auto frame = session().frame();
+    const auto frame = session().motion().frame();
     QCOMPARE(frame->vertices, atRest->vertices);
     if (dimension == 2) QVERIFY(posed<2>(frame)->pose == posed<2>(atRest)->pose);
     if (dimension == 3) QVERIFY(posed<3>(frame)->pose == posed<3>(atRest)->pose);
@@ -112,7 +113,7 @@ void TestRandomGestures::documentStaysWhole() {
 /// Nothing is lost when it is written and read, and what is selected exists.
 QString TestRandomGestures::wrongInDocument() {
     const std::vector<int> selected = session().selection().handles();
-    const int handles = session().handleCount();
+    const int handles = session().pins().count();
     for (const int h : selected)
         if (h < 0 || h >= handles) return QStringLiteral("pin %1 of %2 is selected").arg(h).arg(handles);
     if (m_looked == session().document().project()) return {};
@@ -136,10 +137,10 @@ QString TestRandomGestures::wrongInWindow() {
     if (window.isWindowModified() == stack().isClean()) return QStringLiteral("the title's star");
     if (m_f->window().actions().undo->isEnabled() != stack().canUndo())
         return QStringLiteral("undo's action");
-    for (int h = 0; h < session().handleCount(); ++h)
+    for (int h = 0; h < session().pins().count(); ++h)
         if (!m_f->window().properties().pins().rowOf(h)) return QStringLiteral("no row of pin %1").arg(h);
     const Playback& playback = session().playback();
-    if (session().isDragging()) return QStringLiteral("a drag goes on with no button down");
+    if (session().motion().isDragging()) return QStringLiteral("a drag goes on with no button down");
     if (playback.end() != motionEnd(m_f->project()))
         return QStringLiteral("the film ends at %1").arg(playback.end());
     if (!(playback.time() >= 0 && playback.time() <= playback.end()))
@@ -157,8 +158,9 @@ QString TestRandomGestures::wrongInShape() {
             if (!pin.centre.allFinite()) return QStringLiteral("pin %1 is nowhere").arg(pin.handle);
         return {};
     };
-    return session().document().dimension() == 2 ? wrong(session().frame<2>(), session().pins())
-                                                 : wrong(session().frame<3>(), session().pins());
+    return session().document().dimension() == 2
+               ? wrong(session().motion().frame<2>(), session().gestures().pins())
+               : wrong(session().motion().frame<3>(), session().gestures().pins());
 }
 
 /// Every step is looked at as it is gone: back and forth it leads to where it led before.
@@ -166,10 +168,11 @@ void TestRandomGestures::keepSteps() {
     m_steps = {{0, session().document().project()}};
     m_lost.clear();
     connect(&stack(), &QUndoStack::indexChanged, this, &TestRandomGestures::takeStep);
-    for (const auto signal : {&ShapeSession::frameChanged, &ShapeSession::pinsChanged})
-        connect(&session(), signal, this, [this] {
-            if (m_lost.isEmpty()) m_lost = wrongInShape();
-        });
+    const auto look = [this] {
+        if (m_lost.isEmpty()) m_lost = wrongInShape();
+    };
+    connectEach(this, look, &session().motion(), &ShapeMotion::frameChanged, &session().gestures(),
+                &ShapeGesture::pinsChanged);
 }
 
 void TestRandomGestures::takeStep(int index) {
@@ -184,7 +187,7 @@ void TestRandomGestures::takeStep(int index) {
 
 /// A hand may well ask for a mesh that takes minutes: it is taken back.
 void TestRandomGestures::staySmall() {
-    const auto frame = session().frame();
+    const auto frame = session().motion().frame();
     while (stack().canUndo() &&
            (m_f->domain().vertices > 1500 || (frame && frame->vertices > 3000 && stack().index() > 0))) {
         stack().undo();
@@ -209,7 +212,7 @@ void TestRandomGestures::undoAndRedo() {
 
 /// What cannot be computed is said and done with, too.
 bool TestRandomGestures::settles(const char* where) {
-    const bool settled = QTest::qWaitFor([&] { return !session().isBusy(); }, 120000);
+    const bool settled = QTest::qWaitFor([&] { return !session().motion().isBusy(); }, 120000);
     if (!settled) qWarning("%s it computes for ever: %s", where, toJson(m_f->project()).c_str());
     return settled;
 }

@@ -38,7 +38,7 @@ class TestSpaceAreas : public QObject {
 
   private:
     QPoint centre() { return m_f->at(m_f->pin(1)); }
-    Vec<3> heldAt(int vertex) { return m_f->session().frame<3>()->pose.col(vertex); }
+    Vec<3> heldAt(int vertex) { return m_f->session().motion().frame<3>()->pose.col(vertex); }
     std::unique_ptr<SolidFixture> m_f;
 };
 
@@ -53,12 +53,12 @@ void TestSpaceAreas::ringsTurn() {
     QVERIFY(m_f->holdEnds());
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
     QVERIFY(m_f->window().findChild<PinActions*>()->turn->isChecked());
-    const auto held = m_f->session().verticesOf(1);
+    const auto held = m_f->session().pins().verticesOf(1);
     const Vec<3> middle = m_f->pin(1);
     const auto angle = [&] {  // around y, of the corner that is farthest from the middle
         double most = 0;
         for (const int v : held) {
-            const Vec<3> rest = m_f->session().frame<3>()->rest->points.col(v) - middle,
+            const Vec<3> rest = m_f->session().motion().frame<3>()->rest->points.col(v) - middle,
                          now = heldAt(v) - middle;
             if (std::hypot(rest.x(), rest.z()) < 0.1) continue;
             if (std::abs(rest.norm() - now.norm()) > 1e-6) return -1.0;
@@ -96,9 +96,9 @@ void TestSpaceAreas::ringsScale() {
     QVERIFY(m_f->holdEnds());
     QTest::keyClick(&m_f->canvas(), Qt::Key_S);
     QVERIFY(m_f->window().findChild<PinActions*>()->grow->isChecked());
-    const auto held = m_f->session().verticesOf(1);
+    const auto held = m_f->session().pins().verticesOf(1);
     const Vec<3> middle = m_f->pin(1);
-    const auto& rest = m_f->session().frame<3>()->rest->points;
+    const auto& rest = m_f->session().motion().frame<3>()->rest->points;
     const Vec<3> corner = rest.col(held.front());
     const auto factor = [&] { return (heldAt(held.front()) - middle).norm() / (corner - middle).norm(); };
     const QPoint c = centre();
@@ -142,7 +142,7 @@ void TestSpaceAreas::keysLockAxes() {
     QVERIFY(std::abs(way.y()) < 1e-9 && std::abs(way.z()) < 1e-9);
     // A turn that was begun around y goes on around x.
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
-    const auto held = m_f->session().verticesOf(1);
+    const auto held = m_f->session().pins().verticesOf(1);
     const Vec<3> middle = m_f->pin(1), corner = heldAt(held.front());
     const QPoint now = centre();
     m_f->press(now + QPoint(68, 0));
@@ -168,8 +168,8 @@ void TestSpaceAreas::halfSpacesAreHeld() {
     const auto& half = std::get<HalfSpace<3>>(std::get<Region<3>>(m_f->handles()[0].at));
     QVERIFY((half.normal - Vec<3>::UnitX()).norm() < 0.05);  // as exactly as one drags
     QVERIFY(std::abs(half.point.x() - 1.2) < 2 * m_f->canvas().pixelSize(half.point));
-    const auto frame = m_f->session().frame<3>();
-    const auto held = m_f->session().verticesOf(0);
+    const auto frame = m_f->session().motion().frame<3>();
+    const auto held = m_f->session().pins().verticesOf(0);
     QVERIFY(held.size() > 20 && static_cast<int>(held.size()) < frame->vertices / 2);
     for (const int v : held) QVERIFY(frame->rest->points(0, v) > 1.1);
 }
@@ -181,7 +181,7 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     auto* panel = m_f->window().findChild<RegionPanel*>();
     QVERIFY(panel && panel->isVisible());
     const auto count = [&] { return panel->findChild<QLabel*>(QStringLiteral("regionCount"))->text(); };
-    const auto held = [&] { return m_f->session().verticesOf(0).size(); };
+    const auto held = [&] { return m_f->session().pins().verticesOf(0).size(); };
     const std::size_t few = held();
     QVERIFY(few > 0 && count().endsWith(QStringLiteral(" ") + QString::number(few)));
     auto* kind = panel->findChild<QComboBox*>();
@@ -216,29 +216,29 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
 
 void TestSpaceAreas::regionsChangeTheSelectedHandle() {
     QVERIFY(m_f->holdEnds());
-    const auto before = m_f->session().verticesOf(1);
+    const auto before = m_f->session().pins().verticesOf(1);
     m_f->tool("ball")->trigger();
     const QPoint from = m_f->at({1.2, -0.5, 0});
     m_f->drag(from, from + QPoint(60, 0), Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->handles().size(), std::size_t(2));
-    QVERIFY(m_f->session().verticesOf(1).size() > before.size());
+    QVERIFY(m_f->session().pins().verticesOf(1).size() > before.size());
     m_f->drag(from, from + QPoint(62, 0), Qt::ControlModifier);
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().verticesOf(1).size() <= before.size());
+    QVERIFY(m_f->session().pins().verticesOf(1).size() <= before.size());
 }
 
 void TestSpaceAreas::controlClickTakesOneVertexAway() {
     QVERIFY(m_f->holdEnds());
-    const std::size_t before = m_f->session().verticesOf(1).size();
+    const std::size_t before = m_f->session().pins().verticesOf(1).size();
     m_f->tool("rectangle")->trigger();
     const QPoint corner = m_f->at({1.99, -0.5, 0.49});
     m_f->click(corner, Qt::ControlModifier);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().verticesOf(1).size(), before - 1);
+    QCOMPARE(m_f->session().pins().verticesOf(1).size(), before - 1);
     m_f->click(corner, Qt::ShiftModifier);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().verticesOf(1).size(), before);
+    QCOMPARE(m_f->session().pins().verticesOf(1).size(), before);
 }
 
 void TestSpaceAreas::measuresAtAnyPoint() {
@@ -288,14 +288,14 @@ void TestSpaceAreas::velocityIsTheFieldItself() {
     m_f->window().actions().showArrows->setChecked(true);
     for (const double time : {0.5, 1.0}) {
         session.playback().setTime(time);
-        QVERIFY(QTest::qWaitFor([&] { return session.hasVelocity(); }, 20000));
-        const auto frame = session.frame<3>();
-        const Points<3> v = session.velocity();
+        QVERIFY(QTest::qWaitFor([&] { return session.motion().hasVelocity(); }, 20000));
+        const auto frame = session.motion().frame<3>();
+        const Points<3> v = session.motion().velocity();
         const Trajectory<3> way(m_f->handles()[1].motions.front());
         const auto moving = way.at(frame->time, Side::Before);
-        for (const int i : session.verticesOf(1))
+        for (const int i : session.pins().verticesOf(1))
             QVERIFY((v.col(i) - moving.velocity(frame->rest->points.col(i))).norm() < 1e-9);
-        for (const int i : session.verticesOf(0)) QVERIFY(v.col(i).norm() < 1e-9);
+        for (const int i : session.pins().verticesOf(0)) QVERIFY(v.col(i).norm() < 1e-9);
     }
     m_f->actions().oblique->trigger();
     session.playback().setTime(0.5);
@@ -343,7 +343,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     boxes[2]->setValue(4);
     QVERIFY(stroke({0.5, -0.5, -0.2}, {1, -0.5, -0.2}));
     for (const Vec<3>& axis : axes(2)) QVERIFY((axis - Vec<3>(0, 0.6, 0.8)).norm() < 1e-9);
-    QVERIFY(!m_f->session().frame<3>()->material->anisotropy.empty());
+    QVERIFY(!m_f->session().motion().frame<3>()->material->anisotropy.empty());
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     // Another ratio leaves every direction of a stroke as it is.
     const auto before = axes(0);

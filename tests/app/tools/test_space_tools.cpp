@@ -3,7 +3,7 @@
 #include "app/panels/handle_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
-#include "app/session/pins/curve_making.h"
+#include "app/session/pins/pin_shapes.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "tests/support/solid_fixture.h"
@@ -58,7 +58,7 @@ QPoint TestSpaceTools::onCurve(double v) {
 void TestSpaceTools::doubleClickInsertsACurvePoint() {
     QVERIFY(makeCurve());
     const auto before = bezierCurve<3>(curve()).pieces[0];
-    const Points<3> shape = m_f->session().frame<3>()->pose;
+    const Points<3> shape = m_f->session().motion().frame<3>()->pose;
     const std::size_t handles = m_f->handles().size();
     const QPoint where = onCurve(0.5);
     m_f->window().actions().pinTool->trigger();
@@ -70,7 +70,7 @@ void TestSpaceTools::doubleClickInsertsACurvePoint() {
     // The new joint lies on the old curve, which is straight here: half way within a pixel.
     QVERIFY((curve()[3] - before.value(0.5)).norm() < 2 * m_f->canvas().pixelSize(curve()[3]));
     QCOMPARE(m_f->handles().size(), handles);
-    QVERIFY((m_f->session().frame<3>()->pose - shape).norm() < 0.01 * shape.norm());
+    QVERIFY((m_f->session().motion().frame<3>()->pose - shape).norm() < 0.01 * shape.norm());
     m_f->picture(QStringLiteral("curve-point"));
     m_f->window().actions().undo->trigger();
     QCOMPARE(curve().size(), std::size_t(4));
@@ -174,8 +174,8 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 0.8);
     const Vec<3> middle = m_f->pin(1);
     double reach = 0;
-    for (const int v : m_f->session().verticesOf(1))
-        reach = std::max(reach, (m_f->session().frame<3>()->pose.col(v) - middle).norm());
+    for (const int v : m_f->session().pins().verticesOf(1))
+        reach = std::max(reach, (m_f->session().motion().frame<3>()->pose.col(v) - middle).norm());
     QVERIFY(std::abs(reach - 0.8 * std::sqrt(2.0) * size) < 1e-6);
     m_f->actions().oblique->trigger();
     m_f->picture(QStringLiteral("frames"));
@@ -273,13 +273,13 @@ void TestSpaceTools::outlinesShowTheirMode() {
 }
 
 void TestSpaceTools::hiddenPinsAreSelectedThrough() {
-    const auto frame = m_f->session().frame<3>();
+    const auto frame = m_f->session().motion().frame<3>();
     int back = -1;  // in the middle of the far side
     for (int v = 0; v < frame->vertices; ++v) {
         const Vec<3> p = frame->pose.col(v);
         if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
     }
-    m_f->session().addHandle(m_f->session().placementOf({back}), "Pin");
+    m_f->session().addHandle(m_f->session().pins().placementOf({back}), "Pin");
     QVERIFY(settle(m_f->session()));
     m_f->session().selection().clear();
     m_f->window().actions().selectTool->trigger();

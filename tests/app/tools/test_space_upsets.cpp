@@ -187,7 +187,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
 
 void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
     QVERIFY(m_f->holdEnds());
-    const std::size_t before = m_f->session().verticesOf(1).size();
+    const std::size_t before = m_f->session().pins().verticesOf(1).size();
     m_f->tool("lasso")->trigger();
     m_f->actions().through->setChecked(true);
     const QPoint c = m_f->at({0, -0.5, 0});
@@ -198,11 +198,11 @@ void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
     for (int i = 1; i <= 12; ++i) QTest::mouseMove(&m_f->canvas(), around(i));
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, Qt::ShiftModifier, around(0));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().verticesOf(1).size() > before + 5);
+    QVERIFY(m_f->session().pins().verticesOf(1).size() > before + 5);
 }
 
 void TestSpaceUpsets::takingAwayFromNothingIsTold() {
-    QSignalSpy notices(&m_f->session(), &ShapeSession::notice);
+    QSignalSpy notices(&m_f->session().document(), &Document::notice);
     m_f->tool("ball")->trigger();
     m_f->drag(m_f->at({1.5, -0.5, 0}), m_f->at({1.5, -0.5, 0}) + QPoint(60, 0), Qt::ControlModifier);
     QCOMPARE(notices.count(), 1);

@@ -55,12 +55,12 @@ void TestWindowPins::clickPinsAndDragMoves() {
     QVERIFY(m_window->session().selection().isEmpty());
     QVERIFY(settle(m_window->session()));
     dragPin(200, 80, -10, 25);
-    QVERIFY(QTest::qWaitFor([&] { return m_window->session().frame()->live; },
+    QVERIFY(QTest::qWaitFor([&] { return m_window->session().motion().frame()->live; },
                             20000));  // it follows before the release
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 105));
     QVERIFY(settle(m_window->session()));
     const double pixel = 1 / m_window->canvas().view().zoom();
-    QVERIFY((m_window->session().pins()[1].centre - Vec3(190, 105, 0)).norm() < 2 * pixel);
+    QVERIFY((m_window->session().gestures().pins()[1].centre - Vec3(190, 105, 0)).norm() < 2 * pixel);
     QVERIFY(m_window->isWindowModified());
 }
 
@@ -69,20 +69,20 @@ void TestWindowPins::dragIsOneStepThatUndoes() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().frame<2>()->pose;
+    const Points<2> before = m_window->session().motion().frame<2>()->pose;
     QUndoStack& undo = *m_window->session().document().undoStack();
     const int steps = undo.count();
     dragPin(200, 80, 0, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> after = m_window->session().frame<2>()->pose;
+    const Points<2> after = m_window->session().motion().frame<2>()->pose;
     QCOMPARE(undo.count(), steps + 1);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame<2>()->pose == before);
+    QVERIFY(m_window->session().motion().frame<2>()->pose == before);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame<2>()->pose == after);
+    QVERIFY(m_window->session().motion().frame<2>()->pose == after);
 }
 
 void TestWindowPins::escapeEndsADrag() {
@@ -90,13 +90,13 @@ void TestWindowPins::escapeEndsADrag() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().frame<2>()->pose;
+    const Points<2> before = m_window->session().motion().frame<2>()->pose;
     const int steps = m_window->session().document().undoStack()->count();
     dragPin(200, 80, 0, 25);
     QTest::keyClick(&m_window->canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 105));
     QVERIFY(settle(m_window->session()));
-    QVERIFY(m_window->session().frame<2>()->pose == before);
+    QVERIFY(m_window->session().motion().frame<2>()->pose == before);
     QCOMPARE(m_window->session().document().undoStack()->count(), steps);
 }
 
@@ -128,16 +128,16 @@ void TestWindowPins::arrowsNudge() {
     click(40, 80);
     click(200, 80);
     const int steps = m_window->session().document().undoStack()->count();
-    const Vec3 before = m_window->session().pins()[1].centre;
+    const Vec3 before = m_window->session().gestures().pins()[1].centre;
     QTest::keyClick(&m_window->canvas(), Qt::Key_Right);
     QTest::keyClick(&m_window->canvas(), Qt::Key_Down, Qt::ShiftModifier);
     QVERIFY(settle(m_window->session()));
-    QVERIFY((m_window->session().pins()[1].centre - before - Vec3(1, 10, 0)).norm() < 1e-6);
+    QVERIFY((m_window->session().gestures().pins()[1].centre - before - Vec3(1, 10, 0)).norm() < 1e-6);
     QCOMPARE(m_window->session().document().undoStack()->count(), steps + 1);
     for (int i = 0; i < 3; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Left);
     for (int i = 0; i < 4; ++i) QTest::keyClick(&m_window->canvas(), Qt::Key_Up);
     QVERIFY(settle(m_window->session()));
-    QVERIFY((m_window->session().pins()[1].centre - before - Vec3(-2, 6, 0)).norm() < 1e-6);
+    QVERIFY((m_window->session().gestures().pins()[1].centre - before - Vec3(-2, 6, 0)).norm() < 1e-6);
 }
 
 void TestWindowPins::deleteRemoves() {
@@ -178,7 +178,7 @@ void TestWindowPins::handlesThatAreGoneCanBeFound() {
     QTest::keyClick(m_window.get(), Qt::Key_Delete);
     QVERIFY(settle(m_window->session()));
     QCOMPARE(pinCount(), std::size_t(2));
-    QCOMPARE(m_window->session().pins().size(), std::size_t(1));
+    QCOMPARE(m_window->session().gestures().pins().size(), std::size_t(1));
     click(40, 80);
     QCOMPARE(pinCount(), std::size_t(2));
     QCOMPARE(m_window->session().selection().handles(), std::vector<int>({0}));
@@ -216,7 +216,7 @@ void TestWindowPins::doublePressTakesThePinOnItsCurve() {
     QVERIFY(openWithCurve());
     m_window->session().playback().setTime(0.5);
     QVERIFY(settle(m_window->session()));
-    const Vec3 pin = m_window->session().pins()[1].centre;
+    const Vec3 pin = m_window->session().gestures().pins()[1].centre;
     QTest::mouseDClick(&m_window->canvas(), Qt::LeftButton, {}, at(pin.x(), pin.y()));
     QVERIFY(settle(m_window->session()));
     QCOMPARE(lastCurve(m_window->session().document().design(), 1)->points.size(), std::size_t(4));

@@ -162,7 +162,7 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
     m_session->gestures().end(0.5);
     QVERIFY(settle(*m_session));
     QVERIFY(seen() && m_canvas->view().zoom() < 0.9 * zoom);
-    const Points<2>& pose = m_session->frame<2>()->pose;
+    const Points<2>& pose = m_session->motion().frame<2>()->pose;
     for (Eigen::Index v = 0; v < pose.cols(); ++v)
         QVERIFY(m_canvas->rect().contains(m_canvas->toWidget(pose.col(v)).toPoint()));
 }
@@ -208,8 +208,8 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     view.height = 480;
     view.origin = m_canvas->view().toShape({0, 0});
     view.scale = 1 / m_canvas->view().zoom();
-    const Image exported = warpImage(*m_session->document().picture(), *m_session->frame<2>()->rest,
-                                     m_session->frame<2>()->pose, view);
+    const Image exported = warpImage(*m_session->document().picture(), *m_session->motion().frame<2>()->rest,
+                                     m_session->motion().frame<2>()->pose, view);
     QVERIFY(exported.channels == 4 && exported.unassociated);
     const QImage expected(reinterpret_cast<const uchar*>(exported.data.data()), 640, 480,
                           QImage::Format_RGBA8888);
@@ -325,7 +325,7 @@ void TestCanvas::cellsAreFilledOnce() {
 /// mean place of its corners: by formulas of our own, on the drawing that the canvas shows.
 void TestCanvas::smoothMapGoesByMeans() {
     bendFar();
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     RenderRequest request;
     request.frame = frame;
     request.view = m_canvas->view();
@@ -432,7 +432,7 @@ OpenedFile TestCanvas::shapeless() {
 
 void TestCanvas::checkThatThePictureIsSeen() {
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != nullptr; }, 20000));
-    QVERIFY(!m_session->frame());
+    QVERIFY(!m_session->motion().frame());
     const QPoint left = m_canvas->toWidget({40, 80}).toPoint(),
                  right = m_canvas->toWidget({200, 80}).toPoint();
     const QImage shown = m_canvas->grab().toImage();
@@ -548,7 +548,7 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
     QVERIFY2(tool.text().isEmpty(), qPrintable(tool.text()));  // pins are vertices: another mesh
     click(60, 110);
     click(180, 80);
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     QVERIFY(!tool.text().isEmpty() && std::abs(told(1) - told(5)) > 1);
     m_canvas->grab().toImage();  // paints
     QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
@@ -645,7 +645,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     m_session->gestures().moveAtOnce({}, {0, -45, 0});
     m_session->selection().clear();
     QVERIFY(settle(*m_session));
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     const int cell = worstOf(*frame->distortion, Measure::Angle).cell;
     Vec<2> pose = Vec<2>::Zero(), rest = Vec<2>::Zero();
     for (const int v : frame->rest->cells[cell]) {
@@ -689,7 +689,8 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
         designOf(*next).handles = {end};
         m_session->document().change(QStringLiteral("Hold"), next);
         QVERIFY(settle(*m_session));
-        const auto border = regionBorder(end, m_session->pins().front(), *m_session->frame<2>());
+        const auto border =
+            regionBorder(end, m_session->gestures().pins().front(), *m_session->motion().frame<2>());
         QCOMPARE(border.size(), std::size_t(4));
         double left = 1e9, right = 0;
         for (const Vec3& p : border) {
@@ -732,9 +733,9 @@ void TestCanvas::draggedPinsAreNotCovered() {
     m_session->selection().set({pin});
     m_session->gestures().begin();
     m_session->gestures().moveBy({60, 0, 0});
-    const PinView dragged = m_session->pins()[0];
+    const PinView dragged = m_session->gestures().pins()[0];
     QVERIFY((dragged.centre - Vec3(100, 80, 0)).norm() < 1e-9);
-    QVERIFY((m_session->frame()->at(dragged.places[0]) - Vec3(40, 80, 0)).norm() < 1e-9);
+    QVERIFY((m_session->motion().frame()->at(dragged.places[0]) - Vec3(40, 80, 0)).norm() < 1e-9);
     QVERIFY(m_canvas->touch(m_canvas->onScreen(dragged.centre)));
     QVERIFY(!isMarkCovered(*m_canvas, dragged));
     m_session->gestures().cancel();
@@ -784,7 +785,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
         return settled ? m_canvas->drawn()->image : QImage();
     };
     const QImage bare = shown(false), lined = shown(true);
-    const auto frame = m_session->frame<2>();
+    const auto frame = m_session->motion().frame<2>();
     int changed = 0, all = 0;
     for (const auto& facet : facetsOf(*frame->rest)) {
         const Vec<2> middle = (frame->pose.col(facet.vertices[0]) + frame->pose.col(facet.vertices[1])) / 2;

@@ -341,7 +341,7 @@ void TestCanvasPictures::canvasIsTheFile() {
     if (QTest::currentTestFailed()) return;
     bend();
     const View view{kWidth + 400, kHeight + 400, Vec<2>(-200, -200), 1};
-    const auto& frame = *m_session->frame<2>();
+    const auto& frame = *m_session->motion().frame<2>();
     writeWarped(written.toStdString(),
                 WarpedPicture(*m_session->document().picture(), *frame.rest, frame.pose, view, {}));
     const Decoded file(written);
@@ -394,7 +394,7 @@ void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec<2>& by) {
 /// As Qt reads what is exported of a part of the plane.
 QImage TestCanvasPictures::exported(const View& view) {
     const QString path = m_folder->filePath(QStringLiteral("exported.png"));
-    const auto& frame = *m_session->frame<2>();
+    const auto& frame = *m_session->motion().frame<2>();
     WarpOptions options;
     options.depth = cellDepths({}, *frame.rest);
     writeWarped(path.toStdString(),
@@ -483,7 +483,7 @@ void TestCanvasPictures::limbOverTheBodyIsWhole() {
     canvasIsExported();
     const QImage file = exported({361, 227, Vec<2>::Zero(), 1});
     // The body, away from its borders and from the arm, and the arm over it: nothing shines through.
-    const auto& frame = *m_session->frame<2>();
+    const auto& frame = *m_session->motion().frame<2>();
     int several = 0;
     for (int y = 155; y < 205; ++y)
         for (int x = 110; x < 290; ++x) {

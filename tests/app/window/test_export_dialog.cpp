@@ -123,8 +123,8 @@ void TestExportDialog::bend(double dx, double dy) {
 
 std::shared_ptr<const FrameExport> TestExportDialog::shape() {
     const double seconds = session().playback().end() * Playback::kSecondsPerUnit;
-    return std::make_shared<const FrameExport>(session().document(), session().frame(),
-                                               session().track().frames(), seconds);
+    return std::make_shared<const FrameExport>(session().document(), session().motion().frame(),
+                                               session().motion().track().frames(), seconds);
 }
 
 std::unique_ptr<ExportDialog> TestExportDialog::dialog(ExportKind kind) {
@@ -300,7 +300,7 @@ void TestExportDialog::cropIsToldAndFits() {
 void TestExportDialog::littleThatIsCutOffIsToldToo() {
     open(writeCutOut(*m_folder));
     bend(0, 60);
-    const double below = session().frame<2>()->pose.row(1).maxCoeff() - 160;
+    const double below = session().motion().frame<2>()->pose.row(1).maxCoeff() - 160;
     QVERIFY2(below > 0.5 && below < 4, qPrintable(QString::number(below)));
     const auto asked = dialog(ExportKind::Picture);
     const auto* note = asked->findChild<QWidget*>(QStringLiteral("cropNote"));
@@ -316,7 +316,7 @@ void TestExportDialog::cropsAreToldSideBySide() {
         return note->isVisible() ? note->findChild<QLabel*>()->text() : QString();
     };
     bend(0, -110);
-    const double top = -session().frame<2>()->pose.row(1).minCoeff();
+    const double top = -session().motion().frame<2>()->pose.row(1).minCoeff();
     QVERIFY(top > 10);
     const QString atTop = QStringLiteral("%1 px at the top").arg(std::ceil(top));
     QVERIFY2(told(ExportKind::Picture).endsWith(": " + atTop + '.'), qPrintable(told(ExportKind::Picture)));
@@ -327,7 +327,7 @@ void TestExportDialog::cropsAreToldSideBySide() {
     QVERIFY(settle(session()));
     QCOMPARE(told(ExportKind::Picture), QString());
     double above = 0, below = 0;
-    for (const FramePtr& frame : session().track().frames()) {
+    for (const FramePtr& frame : session().motion().track().frames()) {
         above = std::max(above, -posed<2>(frame)->pose.row(1).minCoeff());
         below = std::max(below, posed<2>(frame)->pose.row(1).maxCoeff() - 160);
     }
@@ -367,7 +367,7 @@ void TestExportDialog::aLoopFitsItsCycle() {
     fit.kind = Canvas::Fit;
     const auto heightUpTo = [&](double end) {
         double low = 1e9, high = -1e9;
-        for (const FramePtr& frame : session().track().frames()) {
+        for (const FramePtr& frame : session().motion().track().frames()) {
             const auto flat = posed<2>(frame);
             low = std::min(low, flat->pose.row(1).minCoeff());
             high = std::max(high, flat->pose.row(1).maxCoeff());

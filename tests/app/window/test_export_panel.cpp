@@ -87,7 +87,7 @@ void TestExportPanel::pictureAndSolid() {
 /// Of the picture: the left end stands, the right one is dragged.
 bool TestExportPanel::bend(double dx, double dy) {
     ShapeSession& session = m_f->session();
-    if (session.pins().empty()) {
+    if (session.gestures().pins().empty()) {
         session.addPin({40, 80, 0});
         session.addPin({200, 80, 0});
         if (!settle(session)) return false;
@@ -255,7 +255,7 @@ void TestExportPanel::fitIsOneClick() {
     QTest::mouseClick(note->findChild<QPushButton*>(), Qt::LeftButton);
     QVERIFY(!note->isVisible());
     QCOMPARE(panel().form().values().text("--canvas"), std::string("fit"));
-    const auto frame = m_f->session().frame<2>();
+    const auto frame = m_f->session().motion().frame<2>();
     const Vec<2> low = frame->pose.rowwise().minCoeff().array().floor(),
                  high = frame->pose.rowwise().maxCoeff().array().ceil();
     QVERIFY2(
@@ -500,7 +500,7 @@ void TestExportPanel::panMovesTheView() {
     }
     QTest::keyRelease(&view, Qt::Key_Space);
     QCOMPARE(m_f->session().document().undoStack()->index(), steps);
-    QCOMPARE(m_f->session().handleCount(), 0);
+    QCOMPARE(m_f->session().pins().count(), 0);
 }
 
 void TestExportPanel::allIsInViewOnASmallScreen_data() {

@@ -121,7 +121,7 @@ void TestFilmTask::show(double time) {
 }
 
 Vec<2> TestFilmTask::pin(int handle) {
-    for (const auto& view : session().pins())
+    for (const auto& view : session().gestures().pins())
         if (view.handle == handle) return inPlane(view.centre);
     return Vec<2>::Zero();
 }
@@ -137,12 +137,12 @@ void TestFilmTask::poseLive(int handle, const QPoint& by) {
     QTest::mouseMove(&canvas(), from);
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&canvas(), from + by * i / 6);
-    QVERIFY(QTest::qWaitFor([&] { return session().frame()->live; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().frame()->live; }, 20000));
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + by);
-    QVERIFY(session().isBusy() && session().frame()->live && !session().isStale());
-    QCOMPARE(session().frame()->time, session().playback().time());
+    QVERIFY(session().motion().isBusy() && session().motion().frame()->live && !session().motion().isStale());
+    QCOMPARE(session().motion().frame()->time, session().playback().time());
     QVERIFY(settle(session()));
-    QVERIFY(!session().frame()->live);
+    QVERIFY(!session().motion().frame()->live);
 }
 
 void TestFilmTask::type(QAbstractSpinBox& box, const QString& text) {
@@ -227,7 +227,7 @@ void TestFilmTask::retimeAndCopy() {
 /// Set late, it holds from then on, and what was there before is as before.
 void TestFilmTask::addLatePin() {
     show(3.5);
-    const auto frame = session().frame<2>();
+    const auto frame = session().motion().frame<2>();
     const Vec<2> hand(1845, 775);  // of the picture at rest
     int nearest = 0;
     for (int v = 1; v < frame->vertices; ++v)
@@ -237,13 +237,13 @@ void TestFilmTask::addLatePin() {
     key(canvas(), Qt::Key_2, Qt::ControlModifier);
     settleLayout(canvas());
     key(canvas(), Qt::Key_P);
-    const int pins = session().handleCount();
+    const int pins = session().pins().count();
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().toWidget(before.col(nearest)).toPoint());
     QVERIFY(settle(session()));
-    QCOMPARE(session().handleCount(), pins + 1);
+    QCOMPARE(session().pins().count(), pins + 1);
     const Pin& late = session().document().design().handles.back();
     QVERIFY(late.activeFrom > 3.4 && late.activeFrom < 3.6);
-    QVERIFY((session().frame<2>()->pose - before).cwiseAbs().maxCoeff() < 1e-6 * 2400);
+    QVERIFY((session().motion().frame<2>()->pose - before).cwiseAbs().maxCoeff() < 1e-6 * 2400);
     key(canvas(), Qt::Key_4, Qt::ControlModifier);
     settleLayout(canvas());
     show(4);
@@ -331,7 +331,7 @@ void TestFilmTask::reopen(const QString& path) {
             one->session().playback().setTime(time);
             QVERIFY(settle(one->session()));
         }
-        QVERIFY(session().frame<2>()->pose == other.session().frame<2>()->pose);
+        QVERIFY(session().motion().frame<2>()->pose == other.session().motion().frame<2>()->pose);
     }
 }
 

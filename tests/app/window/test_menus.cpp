@@ -237,10 +237,10 @@ void TestMenus::refusedDragsStayWithTheShape() {
     session.selection().set({1});
     session.gestures().begin();
     for (int i = 1; i <= 8; ++i) session.gestures().moveBy({-8.0 * i, 0, 0});
-    QVERIFY(QTest::qWaitFor([&] { return session.frame()->stopped; }, 30000));
+    QVERIFY(QTest::qWaitFor([&] { return session.motion().frame()->stopped; }, 30000));
     QVERIFY(session.gestures().drag()->isStopped());
-    const auto shown = session.frame<2>();
-    const Vec<2> pin = inPlane(session.pins()[1].centre);
+    const auto shown = session.motion().frame<2>();
+    const Vec<2> pin = inPlane(session.gestures().pins()[1].centre);
     const double gap = (shown->pose.colwise() - pin).colwise().norm().minCoeff();
     QVERIFY2(gap < 1e-6, qPrintable(QString::number(gap)));
     session.gestures().cancel();

@@ -102,7 +102,7 @@ void TestPropertiesRail::railIsClosedByClicksElsewhere() {
     QWidget& view = m_f->view();
     const QPoint on = solid ? m_f->at({-1, -0.5, 0}) : m_f->window().canvas().toWidget({40, 80}).toPoint();
     const auto project = m_f->session().document().project();
-    const auto pins = [&] { return m_f->session().pins().size(); };
+    const auto pins = [&] { return m_f->session().gestures().pins().size(); };
     QTest::mouseClick(&railButton("Pins"), Qt::LeftButton);
     QTest::mouseMove(&view, on);
     QTest::mouseClick(&view, Qt::LeftButton, {}, on);

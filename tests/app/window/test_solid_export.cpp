@@ -170,8 +170,8 @@ void TestSolidExport::meshIsThatOfTheCommandLine() {
 /// A surface has fewer than the solid behind it.
 void TestSolidExport::verticesAreThoseOfTheFile() {
     ShapeSession& session = m_window->session();
-    const auto shape = std::make_shared<const FrameExport>(session.document(), session.frame(),
-                                                           session.track().frames(), 1.0);
+    const auto shape = std::make_shared<const FrameExport>(session.document(), session.motion().frame(),
+                                                           session.motion().track().frames(), 1.0);
     ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
     const auto* facts = dialog.findChild<QLabel*>(QStringLiteral("facts"));
@@ -189,8 +189,8 @@ void TestSolidExport::verticesAreThoseOfTheFile() {
 /// written.
 void TestSolidExport::borderTrianglesAreAtChoice() {
     ShapeSession& session = m_window->session();
-    const auto shape = std::make_shared<const FrameExport>(session.document(), session.frame(),
-                                                           session.track().frames(), 1.0);
+    const auto shape = std::make_shared<const FrameExport>(session.document(), session.motion().frame(),
+                                                           session.motion().track().frames(), 1.0);
     ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
     dialog.show();
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));

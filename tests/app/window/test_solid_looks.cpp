@@ -121,7 +121,7 @@ void TestSolidLooks::open(const QString& path) {
     QVERIFY(QTest::qWaitFor([&] { return session().document().generation() > before; }, 20000));
     QVERIFY(settle(session()));
     session().playback().setTime(0);
-    QVERIFY(QTest::qWaitFor([&] { return session().frame()->time == 0; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().frame()->time == 0; }, 20000));
     solids().actions().front->trigger();
     canvas().fit();
 }
@@ -231,8 +231,8 @@ void TestSolidLooks::wrongTrianglesShineThrough() {
 void TestSolidLooks::marksAreWhereVerticesAreSeen() {
     open(project("inside.obj"));
     solids().actions().top->trigger();
-    const std::vector<int> held = session().verticesOf(0);
-    const auto frame = session().frame<3>();
+    const std::vector<int> held = session().pins().verticesOf(0);
+    const auto frame = session().motion().frame<3>();
     QCOMPARE(canvas().marksOf(held).size(), held.size());
     int seen = 0, hidden = 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -300,7 +300,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     QVERIFY(QTest::qWaitFor([&] { return session().document().generation() > before; }, 20000));
     QVERIFY(settle(session()));
     m_window->actions().showMap->setChecked(true);
-    const auto frame = session().frame<3>();
+    const auto frame = session().motion().frame<3>();
     const int worst = worstOf(*frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : frame->rest->cells[worst]) centre += frame->pose.col(v) / 4;
@@ -324,28 +324,28 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
         return farthest;
     };
     const auto sizeOfMark = [&] {
-        const auto place = canvas().placeOf(*session().frame(), worst);
+        const auto place = canvas().placeOf(*session().motion().frame(), worst);
         return reach(canvas().toWidget(place ? *place : centre));
     };
     session().playback().setTime(0);
-    QTRY_COMPARE(session().frame()->time, 0.0);
+    QTRY_COMPARE(session().motion().frame()->time, 0.0);
     QCOMPARE(sizeOfMark(), 0.0);  // at rest no place is the worst
     session().playback().setTime(1);
-    QTRY_COMPARE(session().frame()->time, 1.0);
+    QTRY_COMPARE(session().motion().frame()->time, 1.0);
     const auto isCross = [](double size) { return size > 15 && size < 22; };
     const auto isRing = [](double size) { return size > 9 && size < 15; };
     solids().actions().front->trigger();
     canvas().fit();
-    QVERIFY(!canvas().placeOf(*session().frame(), worst));
+    QVERIFY(!canvas().placeOf(*session().motion().frame(), worst));
     QVERIFY(isRing(sizeOfMark()));
     canvas().setCutKind(CutKind::Exact);
     canvas().setCutPlane({centre, -Vec<3>::UnitY()});
-    const auto seen = canvas().placeOf(*session().frame(), worst);
+    const auto seen = canvas().placeOf(*session().motion().frame(), worst);
     QVERIFY(seen && std::abs(seen->y() - centre.y()) < 1e-9);  // on the section
     QVERIFY(isCross(sizeOfMark()));
     solids().actions().back->trigger();
     canvas().fit();
-    QVERIFY(!canvas().placeOf(*session().frame(), worst));
+    QVERIFY(!canvas().placeOf(*session().motion().frame(), worst));
     QVERIFY(isRing(sizeOfMark()));
 }
 
@@ -373,7 +373,7 @@ void TestSolidLooks::movedSolidsAreClosed() {
     session().playback().setTime(session().playback().end());
     QVERIFY(settle(session()));
     m_window->actions().closeFile->trigger();
-    QVERIFY(session().document().isEmpty() && !session().frame());
+    QVERIFY(session().document().isEmpty() && !session().motion().frame());
     QVERIFY(!canvas().isVisible());
     open(project("inside.obj"));
     QVERIFY(canvas().isVisible());
@@ -412,7 +412,7 @@ void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
     };
     QCOMPARE(least(), 0.0);
     common.showArrows->setChecked(true);
-    QVERIFY(QTest::qWaitFor([&] { return session().velocity().cols() > 0; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return session().motion().velocity().cols() > 0; }, 20000));
     for (QAction* look : {common.darkLook, common.lightLook})
         for (const char* name : {"Black", "White", "Checks"}) {
             look->trigger();
@@ -457,7 +457,7 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     addAt({1, -0.5, 0.1});
     const int front = static_cast<int>(session().document().design().handles.size()) - 1;
     const auto view = [&](int handle) {
-        const auto pins = session().pins();
+        const auto pins = session().gestures().pins();
         return *std::ranges::find(pins, handle, &PinView::handle);
     };
     QVERIFY(!isMarkCovered(canvas(), view(front)));

@@ -235,7 +235,7 @@ void TestSolidView::colourMapIsSmooth() {
     QVERIFY(box->isChecked());
     const int smooth = jumps();
     QVERIFY2(10 * smooth < flat, qPrintable(QString::number(smooth)));
-    QVERIFY(DistortionPanel(m_f->session()).isSmooth());
+    QVERIFY(DistortionPanel(m_f->session().motion(), m_f->session().playback()).isSmooth());
     box->click();
     QCOMPARE(jumps(), flat);
 }

@@ -152,7 +152,7 @@ void TestSolidWindow::holdEnds() {
 void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QVERIFY(m_f->open());
     QCOMPARE(m_f->domain().kind, DomainKind::Surface);
-    const auto frame = m_f->session().frame<3>();
+    const auto frame = m_f->session().motion().frame<3>();
     QVERIFY(frame && frame->pose == frame->rest->points);
     QVERIFY(m_f->canvas().isVisible() && !m_f->actions().front->toolTip().isEmpty());
     SimplicialMesh<3> mesh = *frame->rest;
@@ -162,7 +162,7 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     m_f->window().openPath(path);
     QVERIFY(QTest::qWaitFor([&] { return m_f->domain().kind == DomainKind::Mesh; }, 20000));
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame()->vertices, mesh.vertexCount());
+    QCOMPARE(m_f->session().motion().frame()->vertices, mesh.vertexCount());
 }
 
 /// Every triangle of the file has vertices of its own: the panel and what is noticed count the same ones, and
@@ -183,7 +183,7 @@ void TestSolidWindow::verticesAreThoseThatCellsHave() {
     QVERIFY(m_f->openFile(file.fileName()));
     setVertices(m_f->session().document(), 60);  // its surface needs more: that is noticed
     QVERIFY(settle(m_f->session()));
-    const auto frame = m_f->session().frame<3>();
+    const auto frame = m_f->session().motion().frame<3>();
     QVERIFY(frame->used < frame->vertices / 2);
     const QString count = QLocale().toString(frame->used);
     const auto labels = m_f->window().findChild<MeshPanel*>()->findChildren<QLabel*>();
@@ -193,7 +193,7 @@ void TestSolidWindow::verticesAreThoseThatCellsHave() {
     QVERIFY(std::ranges::any_of(frame->built->notices, [&](const std::string& notice) {
         return notice.starts_with("the mesh has " + std::to_string(frame->used) + " vertices, where 60");
     }));
-    const FrameExport shape(m_f->session().document(), m_f->session().frame(), {}, 1);
+    const FrameExport shape(m_f->session().document(), m_f->session().motion().frame(), {}, 1);
     QCOMPARE(shape.vertexCount(".vtu"), frame->used);
 }
 
@@ -217,7 +217,7 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
     QCOMPARE(m_f->handles().size(), std::size_t(2));
     QVERIFY(m_f->session().selection().isEmpty());
     QVERIFY(settle(m_f->session()));
-    const Vec3 pin = m_f->session().pins()[1].centre;
+    const Vec3 pin = m_f->session().gestures().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QVERIFY(m_f->session().selection().contains(1));
     // The arrow of z stands upright over the pin.
@@ -225,44 +225,44 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
     QTest::mouseMove(&m_f->canvas(), tip);
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, tip);
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&m_f->canvas(), tip - QPoint(i, 8 * i));
-    QVERIFY(QTest::qWaitFor([&] { return m_f->session().frame()->live; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_f->session().motion().frame()->live; }, 20000));
     m_f->picture(QStringLiteral("drag"));
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, tip - QPoint(6, 48));
     QVERIFY(settle(m_f->session()));
-    const Vec3 moved = m_f->session().pins()[1].centre;
+    const Vec3 moved = m_f->session().gestures().pins()[1].centre;
     QVERIFY(std::abs(moved.x() - pin.x()) < 1e-9 && std::abs(moved.y() - pin.y()) < 1e-9);
     QVERIFY(std::abs(moved.z() - pin.z() - 48 * m_f->canvas().pixelSize(pin)) <
             3 * m_f->canvas().pixelSize(pin));
-    QVERIFY(m_f->session().frame()->pinError < 1e-9);
+    QVERIFY(m_f->session().motion().frame()->pinError < 1e-9);
     QVERIFY(m_f->session().playback().end() == 1);
 }
 
 void TestSolidWindow::escapeRestoresAndUndoTakesBack() {
     QVERIFY(m_f->open());
     holdEnds();
-    const Points<3> before = m_f->session().frame<3>()->pose;
-    const Vec3 pin = m_f->session().pins()[1].centre;
+    const Points<3> before = m_f->session().motion().frame<3>()->pose;
+    const Vec3 pin = m_f->session().gestures().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&m_f->canvas(), m_f->at(pin) - QPoint(0, 8 * i));
-    QVERIFY(QTest::qWaitFor([&] { return m_f->session().frame()->live; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_f->session().motion().frame()->live; }, 20000));
     QTest::keyClick(&m_f->canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().frame<3>()->pose == before);
+    QVERIFY(m_f->session().motion().frame<3>()->pose == before);
     m_f->drag(m_f->at(pin), m_f->at(pin) - QPoint(0, 50));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().frame<3>()->pose != before);
+    QVERIFY(m_f->session().motion().frame<3>()->pose != before);
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().frame<3>()->pose == before);
+    QVERIFY(m_f->session().motion().frame<3>()->pose == before);
 }
 
 void TestSolidWindow::typedNumbersAreExact() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    const Vec3 pin = m_f->session().pins()[1].centre;
+    const Vec3 pin = m_f->session().gestures().pins()[1].centre;
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     for (const QPoint& wander : {QPoint(9, 9), QPoint(40, -5), QPoint(20, 30), QPoint(9, 9)})
         QTest::mouseMove(&m_f->canvas(), m_f->at(pin) + wander);
@@ -270,7 +270,7 @@ void TestSolidWindow::typedNumbersAreExact() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_Return);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin) + QPoint(9, 9));
     QVERIFY(settle(m_f->session()));
-    QVERIFY((m_f->session().pins()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
+    QVERIFY((m_f->session().gestures().pins()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
     // Who types a number wants the straight way, not the hand's.
     const auto way = pinPaths(m_f->handles()[1], {pin}, 3).front().points;
     for (const Vec<3>& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
@@ -280,7 +280,7 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
     m_f->window().statusBar()->showMessage(QStringLiteral("a button's hint"));
     QVERIFY(m_f->open());
     QVERIFY(m_f->window().statusBar()->currentMessage().isEmpty());  // the hint is not drawn over it
-    const auto rest = m_f->session().frame<3>()->rest;
+    const auto rest = m_f->session().motion().frame<3>()->rest;
     for (const bool byKey : {true, false}) {
         setVertices(m_f->session().document(), 300000);
         QVERIFY(QTest::qWaitFor([&] { return m_f->window().work().isVisible(); }, 20000));
@@ -292,7 +292,7 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
             QTest::mouseClick(m_f->window().work().cancelButton(), Qt::LeftButton);
         QCOMPARE(m_f->domain().vertices, 300);
         QVERIFY(settle(m_f->session()));
-        QVERIFY(m_f->session().frame<3>()->rest == rest);
+        QVERIFY(m_f->session().motion().frame<3>()->rest == rest);
         QVERIFY(m_f->window().work().isHidden());
     }
 }
@@ -318,7 +318,7 @@ void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
     {
         const AddressLimit limit(450);
         m_f->session().gestures().moveAtOnce({}, {0, 0, 0.3});
-        QVERIFY(QTest::qWaitFor([&] { return m_f->session().lacksMemory(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return m_f->session().motion().lacksMemory(); }, 60000));
     }
     QVERIFY(m_f->window().banner().text().contains(QStringLiteral("memory")));
     const QStringList offered{QStringLiteral("Use Multigrid"), QStringLiteral("Half as Many Vertices"),
@@ -327,7 +327,7 @@ void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
     for (auto* button : m_f->window().banner().findChildren<QPushButton*>())
         if (button->text() == offered[0]) button->click();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(!m_f->session().hasFailed());
+    QVERIFY(!m_f->session().motion().hasFailed());
     QVERIFY2(!m_f->window().banner().text().contains(QStringLiteral("memory")),
              qPrintable(m_f->window().banner().text()));
     QCOMPARE(settingOf(document, "integration.solver"), static_cast<double>(SolverKind::Multigrid));
@@ -356,14 +356,14 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->session().selection().set({1});
     Grip grip;
     grip.kind = Grip::Kind::Turn;
-    grip.centre = m_f->session().pins()[1].centre;
+    grip.centre = m_f->session().gestures().pins()[1].centre;
     grip.axis = Vec<3>::UnitX();
     m_f->session().gestures().moveAtOnce(grip, {M_PI / 2, 0, 0});
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame()->distortion->flips, 0);
+    QCOMPARE(m_f->session().motion().frame()->distortion->flips, 0);
     // A corner of the turned end has gone a quarter of a circle: y → z.
-    const auto frame = m_f->session().frame<3>();
-    for (const int v : m_f->session().verticesOf(1)) {
+    const auto frame = m_f->session().motion().frame<3>();
+    for (const int v : m_f->session().pins().verticesOf(1)) {
         const Vec<3> rest = frame->rest->points.col(v);
         QVERIFY((frame->pose.col(v) - Vec<3>(rest.x(), -rest.z(), rest.y())).norm() < 1e-9);
     }
@@ -374,9 +374,10 @@ void TestSolidWindow::turningTwistsTheBar() {
     grip.kind = Grip::Kind::Grow;
     m_f->session().gestures().moveAtOnce(grip, {0.5, 0, 0});
     QVERIFY(settle(m_f->session()));
-    for (const int v : m_f->session().verticesOf(1)) {
+    for (const int v : m_f->session().pins().verticesOf(1)) {
         const Vec<3> rest = frame->rest->points.col(v);
-        QVERIFY((m_f->session().frame<3>()->pose.col(v) - Vec<3>(rest.x(), -1.5 * rest.z(), 1.5 * rest.y()))
+        QVERIFY((m_f->session().motion().frame<3>()->pose.col(v) -
+                 Vec<3>(rest.x(), -1.5 * rest.z(), 1.5 * rest.y()))
                     .norm() < 1e-9);
     }
 }
@@ -393,10 +394,10 @@ void TestSolidWindow::areasAreOneHandle() {
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, c + QPoint(60, 0));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->handles().size(), std::size_t(1));
-    const auto held = m_f->session().verticesOf(0);
+    const auto held = m_f->session().pins().verticesOf(0);
     QVERIFY(held.size() >= 3);
     for (const int v : held)
-        QVERIFY(m_f->session().frame<3>()->pose(1, v) < 0.5 - 1e-9);  // not on the far side
+        QVERIFY(m_f->session().motion().frame<3>()->pose(1, v) < 0.5 - 1e-9);  // not on the far side
 }
 
 void TestSolidWindow::shiftAndControlChangeAnArea() {
@@ -407,15 +408,15 @@ void TestSolidWindow::shiftAndControlChangeAnArea() {
     QVERIFY(m_f->tool("select")->isChecked());  // to drag it
     m_f->tool("grabBrush")->trigger();
     QCOMPARE(m_f->handles().size(), std::size_t(1));
-    const auto first = m_f->session().verticesOf(0);
+    const auto first = m_f->session().pins().verticesOf(0);
     QVERIFY(!first.empty());
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, Qt::ShiftModifier, m_f->at({-1.33, -0.5, 0.17}));
     QVERIFY(settle(m_f->session()));
-    const auto both = m_f->session().verticesOf(0);
+    const auto both = m_f->session().pins().verticesOf(0);
     QVERIFY(both.size() > first.size());
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, Qt::ControlModifier, m_f->at({-1.33, -0.5, 0.17}));
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().verticesOf(0), first);
+    QCOMPARE(m_f->session().pins().verticesOf(0), first);
     QCOMPARE(m_f->handles().size(), std::size_t(1));
 }
 
@@ -425,7 +426,7 @@ void TestSolidWindow::throughTakesWhatIsHidden() {
     const auto inside = [&](const QPointF& p) { return all.contains(p); };
     const auto visible = m_f->canvas().verticesWhere(inside, true),
                through = m_f->canvas().verticesWhere(inside, false);
-    QCOMPARE(static_cast<int>(through.size()), m_f->session().frame()->vertices);
+    QCOMPARE(static_cast<int>(through.size()), m_f->session().motion().frame()->vertices);
     QVERIFY(visible.size() < through.size() && !visible.empty());
 }
 
@@ -439,31 +440,31 @@ void TestSolidWindow::ballsAndBoxesAreRegions() {
     QCOMPARE(m_f->handles().size(), std::size_t(2));
     QVERIFY(std::holds_alternative<Ball<3>>(std::get<Region<3>>(m_f->handles()[0].at)));
     QVERIFY(std::holds_alternative<Box<3>>(std::get<Region<3>>(m_f->handles()[1].at)));
-    QVERIFY(m_f->session().pins()[0].points.size() > 3);
+    QVERIFY(m_f->session().gestures().pins()[0].points.size() > 3);
 }
 
 void TestSolidWindow::sameShapeAsTheCommandLine() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->drag(m_f->at(m_f->session().pins()[1].centre),
-              m_f->at(m_f->session().pins()[1].centre) - QPoint(30, 80));
+    m_f->drag(m_f->at(m_f->session().gestures().pins()[1].centre),
+              m_f->at(m_f->session().gestures().pins()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(m_f->session()));
     const Project& project = *m_f->session().document().project();
     const auto shape = std::get<Shape<3>>(loadShape(project, m_f->folder().path().toStdString()));
     Deformer<3> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
     deformer.advance(endOf(project));
-    QVERIFY(m_f->session().frame<3>()->pose == deformer.state().points);
+    QVERIFY(m_f->session().motion().frame<3>()->pose == deformer.state().points);
 }
 
 void TestSolidWindow::saveAndLoadGiveTheSameShape() {
     QVERIFY(m_f->open());
     holdEnds();
     m_f->session().selection().set({1});
-    m_f->drag(m_f->at(m_f->session().pins()[1].centre),
-              m_f->at(m_f->session().pins()[1].centre) - QPoint(30, 80));
+    m_f->drag(m_f->at(m_f->session().gestures().pins()[1].centre),
+              m_f->at(m_f->session().gestures().pins()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(m_f->session()));
-    const Points<3> shape = m_f->session().frame<3>()->pose;
+    const Points<3> shape = m_f->session().motion().frame<3>()->pose;
     const QString path = m_f->folder().filePath(QStringLiteral("bar.wend"));
     m_f->session().document().save(path);
     MainWindow other;
@@ -472,7 +473,7 @@ void TestSolidWindow::saveAndLoadGiveTheSameShape() {
     other.openPath(path);
     QVERIFY(QTest::qWaitFor([&] { return !other.session().document().isEmpty(); }, 20000));
     QVERIFY(settle(other.session()));
-    QVERIFY(other.session().frame<3>()->pose == shape);
+    QVERIFY(other.session().motion().frame<3>()->pose == shape);
 }
 
 void TestSolidWindow::cutShowsTheInsideAndMoves() {
@@ -536,12 +537,12 @@ void TestSolidWindow::curvePointsAreDragged() {
     m_f->session().selection().set({1});
     m_f->session().gestures().moveAtOnce(Grip{}, {0, 0, 0.8});
     QVERIFY(settle(m_f->session()));
-    const Vec3 end = m_f->session().pins()[1].centre;
+    const Vec3 end = m_f->session().gestures().pins()[1].centre;
     const auto curved = withCurve(m_f->session().document().design(), 1, end);
     QVERIFY(curved);
     m_f->session().document().changeDesign(QStringLiteral("Curve"), *curved);
     QVERIFY(settle(m_f->session()));
-    QVERIFY((m_f->session().pins()[1].centre - end).norm() < 1e-9);
+    QVERIFY((m_f->session().gestures().pins()[1].centre - end).norm() < 1e-9);
     // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
     const Vec<3> inner = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     const QPoint from = m_f->at(inner);
@@ -550,14 +551,14 @@ void TestSolidWindow::curvePointsAreDragged() {
     const Vec<3> moved = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     QVERIFY(std::abs((moved - inner).x() - 40 * m_f->canvas().pixelSize(inner)) <
             2 * m_f->canvas().pixelSize(inner));
-    QVERIFY((m_f->session().pins()[1].centre - end).norm() < 1e-9);
+    QVERIFY((m_f->session().gestures().pins()[1].centre - end).norm() < 1e-9);
     Design framed = m_f->session().document().design();
     auto* curve = lastCurve(framed, 1);
     curve->frame = FrameKind::Minimal;
     curve->twist = 1;
     m_f->session().document().changeDesign(QStringLiteral("Twist"), framed);
     QVERIFY(settle(m_f->session()));
-    QCOMPARE(m_f->session().frame()->distortion->flips, 0);
+    QCOMPARE(m_f->session().motion().frame()->distortion->flips, 0);
     m_f->actions().oblique->trigger();
     m_f->picture(QStringLiteral("curve"));
 }
@@ -570,7 +571,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     const auto layers = m_f->session().document().design().material.layers;
     QCOMPARE(layers.size(), std::size_t(1));
     QVERIFY(layers[0].regions.size() > 1);
-    const auto& phi = m_f->session().frame<3>()->material->phi;
+    const auto& phi = m_f->session().motion().frame<3>()->material->phi;
     QVERIFY(*std::max_element(phi.begin(), phi.end()) > phi::kMetr + 0.1);
     // What is painted is shown as long as the brush is chosen, then what was shown before.
     QVERIFY(m_f->window().actions().showMap->isChecked());

@@ -180,7 +180,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     QCOMPARE(m_f->domain().largestHole, 7);
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
-    QVERIFY(m_f->session().frame<3>()->cells > 100);
+    QVERIFY(m_f->session().motion().frame<3>()->cells > 100);
     QVERIFY(!saysThatThereIsNoSolid());
     const QString told = m_f->window().banner().text().section('\n', 0, 0);
     QCOMPARE(told, QStringLiteral("The surface was repaired: 1 hole filled."));
@@ -243,7 +243,7 @@ bool TestSurfaceWindow::saysThatThereIsNoSolid() {
         if (label->text().contains(QStringLiteral("Click"))) return false;
     for (const auto* label : m_f->window().findChild<MeshPanel*>()->findChildren<QLabel*>())
         if (label->text().contains(QStringLiteral("tetrahedra"))) return false;
-    return !m_f->session().frame();
+    return !m_f->session().motion().frame();
 }
 
 /// A red plate lies on the bar; most of it lies outside, which the window says.
@@ -307,7 +307,10 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     QVERIFY(settle(m_f->session()));
     QVERIFY(QTest::qWaitFor([&] { return !panel->isVisible(); }, 20000));
     QVERIFY(QTest::qWaitFor(
-        [&] { return m_f->session().frame<3>() && !m_f->session().frame<3>()->built->cage; }, 20000));
+        [&] {
+            return m_f->session().motion().frame<3>() && !m_f->session().motion().frame<3>()->built->cage;
+        },
+        20000));
     const QString told = m_f->window().banner().text().section('\n', 0, 0);
     QCOMPARE(told, QStringLiteral("The surface was repaired: 2 single steps."));
     m_f->window().actions().undo->trigger();
@@ -416,7 +419,7 @@ void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
     const auto fixes = [&] { return m_f->domain().fixes.size(); };
     QVERIFY(QTest::qWaitFor([&] { return fixes() == 2; }, 20000));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().frame<3>() && !m_f->session().frame<3>()->built->cage);
+    QVERIFY(m_f->session().motion().frame<3>() && !m_f->session().motion().frame<3>()->built->cage);
     const double seen = m_f->canvas().camera().pixelSize(m_f->canvas().size());
     QVERIFY2(std::abs(seen / whole - 1) < 0.2, qPrintable(QString("%1 of %2").arg(seen).arg(whole)));
 }
@@ -440,7 +443,7 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     document.changeDomain(QStringLiteral("Finer"), fine);
     QVERIFY(words->text().contains(QStringLiteral("1,000,000")));
     QCOMPARE(note->width(), words->minimumWidth() + around);
-    m_f->session().cancelWork();
+    m_f->session().motion().cancelWork();
     QVERIFY(settle(m_f->session()));
 }
 
@@ -454,7 +457,7 @@ void TestSurfaceWindow::noteTellsMeshesFromMotions() {
     design.material.phi += 0.2;
     note->show();
     document.changeDesign(QStringLiteral("Energy"), design);
-    QVERIFY(m_f->session().isBusy());
+    QVERIFY(m_f->session().motion().isBusy());
     QVERIFY2(note->text().startsWith(QStringLiteral("Computing the motion")), qPrintable(note->text()));
     QVERIFY(settle(m_f->session()));
     Domain fine = document.domain();
@@ -513,7 +516,7 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     const SavedCamera before = m_f->canvas().camera().saved();
     QTest::mouseClick(button("Next gap"), Qt::LeftButton);
     QCOMPARE(wanted.size(), 1);
-    const auto frame = session.frame<3>();
+    const auto frame = session.motion().frame<3>();
     const Cell<3> cell = frame->rest->cells[wanted[0][0].toInt()];
     Vec<3> centre = Vec<3>::Zero();
     for (const int v : cell) centre += frame->rest->points.col(v) / 4;
@@ -526,7 +529,8 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QCOMPARE(document.domain().vertices, frame->built->cage->opener.vertices);
     QVERIFY(document.domain().vertices > 1000);
     QVERIFY(settle(session));
-    QVERIFY(session.frame<3>()->built->cage && session.frame<3>()->built->cage->gaps.empty());
+    QVERIFY(session.motion().frame<3>()->built->cage &&
+            session.motion().frame<3>()->built->cage->gaps.empty());
     QVERIFY(QTest::qWaitFor([&] { return !button("Next gap")->isVisible(); }, 20000));
 }
 
@@ -540,7 +544,7 @@ void TestSurfaceWindow::whatACageCarriesIsPinned() {
     m_f->window().openPath(open.fileName());
     QVERIFY(QTest::qWaitFor([&] { return !m_f->session().document().isEmpty(); }, 20000));
     QVERIFY(settle(m_f->session()));
-    QVERIFY(m_f->session().frame<3>()->built->cage);
+    QVERIFY(m_f->session().motion().frame<3>()->built->cage);
     m_f->actions().front->trigger();
     QAction* snap = nullptr;
     for (QAction* action : m_f->window().findChild<QToolBar*>(QStringLiteral("optionRow"))->actions())
@@ -550,7 +554,7 @@ void TestSurfaceWindow::whatACageCarriesIsPinned() {
         snap->setChecked(snaps);
         const Vec<3> at(snaps ? 0.7 : -0.9, -0.5, 0.1);
         QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(at));
-        const auto pins = m_f->session().pins();
+        const auto pins = m_f->session().gestures().pins();
         QCOMPARE(pins.size(), snaps ? 1U : 2U);
         const double pixel = m_f->canvas().pixelSize(at);
         QVERIFY(std::abs(pins.back().centre.y() + 0.5) < 1e-6);

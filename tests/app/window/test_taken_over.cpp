@@ -105,7 +105,7 @@ void TestTakenOver::aRepaintedPictureIsOffered() {
     QVERIFY(settle(m_window->session()));
     QCOMPARE(m_window->banner().text(), QString());
     QVERIFY(document().picture()->data != before->data);
-    QCOMPARE(posed<2>(m_window->session().frame())->built->picture, document().picture());
+    QCOMPARE(posed<2>(m_window->session().motion().frame())->built->picture, document().picture());
     document().undoStack()->undo();
     QCOMPARE(document().picture(), before);
     document().undoStack()->redo();
@@ -211,11 +211,11 @@ void TestTakenOver::drawingsHaveAnySize() {
     const auto placed = [&] { return std::get<std::vector<Vec3>>(document().design().handles[0].at)[0]; };
     QVERIFY((placed() - Vec3(200, 200, 0)).norm() < 1e-9);
     QVERIFY(settle(m_window->session()));
-    QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
+    QCOMPARE(canvasSize(*posed<2>(m_window->session().motion().frame())->built), (std::array{400, 400}));
     const QString project = m_folder->filePath("drawing.wend");
     document().save(project);
     QVERIFY(open(project));
-    QCOMPARE(canvasSize(*posed<2>(m_window->session().frame())->built), (std::array{400, 400}));
+    QCOMPARE(canvasSize(*posed<2>(m_window->session().motion().frame())->built), (std::array{400, 400}));
     QVERIFY((placed() - Vec3(200, 200, 0)).norm() < 1e-9);
 }
 
@@ -289,7 +289,7 @@ void TestTakenOver::groupsBecomePins() {
     QCOMPARE(handles[0].name, std::string("left"));
     QCOMPARE(std::get<std::vector<int>>(handles[0].at), std::vector<int>({0, 1, 2, 3}));
     QVERIFY(toJson(*document().project()).find("\"group\": \"left\"") != std::string::npos);
-    QCOMPARE(m_window->session().singleHandle(), 0);
+    QCOMPARE(m_window->session().selection().single(), 0);
     document().undoStack()->setClean();  // nothing is asked
     QVERIFY(open(writeCutOut(*m_folder)));
     QVERIFY(!groups.list()->isVisible());

@@ -104,7 +104,7 @@ void TestWholeTask::init() {
 
 template <int Dim>
 QPoint TestWholeTask::pin(int handle) {
-    for (const auto& view : session().pins(true))
+    for (const auto& view : session().gestures().pins(true))
         if (view.handle == handle) return Bar<Dim>::canvas(*m_f).onScreen(view.centre).toPoint();
     return {};
 }
@@ -249,7 +249,7 @@ void TestWholeTask::setPins() {
     choose("rectangle");
     draw({at<Dim>(0.75, -0.3), at<Dim>(0.85, 1.3)});
     QVERIFY(done("a part held by a box"));
-    QCOMPARE(session().handleCount(), 7);
+    QCOMPARE(session().pins().count(), 7);
 }
 
 /// The pin in the middle goes up, its way becomes a curve with another point; strokes of each kind.

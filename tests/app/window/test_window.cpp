@@ -313,7 +313,7 @@ void TestWindow::saveAndLoadGiveTheSameShape() {
     dragPin(200, 80, -5, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(195, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> shape = m_window->session().frame<2>()->pose;
+    const Points<2> shape = m_window->session().motion().frame<2>()->pose;
     const QString path = m_folder->filePath(QStringLiteral("bar.wend"));
     m_window->session().document().save(path);
     QVERIFY(!m_window->isWindowModified());
@@ -323,7 +323,7 @@ void TestWindow::saveAndLoadGiveTheSameShape() {
     QVERIFY(settle(other.session()));
     other.session().playback().setTime(other.session().playback().end());
     QVERIFY(settle(other.session()));
-    QVERIFY(other.session().frame<2>()->pose == shape);
+    QVERIFY(other.session().motion().frame<2>()->pose == shape);
     QVERIFY(m_window->files().recent().isEmpty() || m_window->files().recent().first() == path);
 }
 
@@ -364,7 +364,7 @@ void TestWindow::springingBackIsOffered() {
     QTest::mouseClick(banner.findChild<QPushButton*>(), Qt::LeftButton);
     QVERIFY(settle(session) && !banner.isVisible());
     QCOMPARE(settingOf(document, "material.memory"), kFully);
-    const auto frame = session.frame<2>();
+    const auto frame = session.motion().frame<2>();
     QVERIFY((frame->pose - frame->rest->points).colwise().norm().maxCoeff() < 1e-6);
     document.undoStack()->undo();
     QVERIFY(!banner.isVisible());  // it is offered once
@@ -379,7 +379,7 @@ void TestWindow::dragsPoseAtTheShownTime() {
         return session.document().design().handles.back().motions;
     };
     const double end = session.playback().end();
-    const Points<2> last = session.frame<2>()->pose;
+    const Points<2> last = session.motion().frame<2>()->pose;
     m_window->tools().setMode(Mode::Animate);
     session.playback().setTime(0.5 * end);
     QVERIFY(settle(session));
@@ -390,7 +390,7 @@ void TestWindow::dragsPoseAtTheShownTime() {
     QCOMPARE(motions()[0].end, 0.5 * end);
     session.playback().setTime(end);
     QVERIFY(settle(session));
-    QVERIFY((session.frame<2>()->pose - last).colwise().norm().maxCoeff() < 1e-3);
+    QVERIFY((session.motion().frame<2>()->pose - last).colwise().norm().maxCoeff() < 1e-3);
     lead(200, 100, 0, -20);  // at the end the film becomes longer
     QCOMPARE(session.playback().end(), end + 1);
     QCOMPARE(session.playback().time(), end + 1);
@@ -473,7 +473,7 @@ void TestWindow::lightAndDarkHaveOneLayout() {
 void TestWindow::ringOfAPointIsSeenOnDark() {
     open();
     ShapeCanvas& canvas = m_window->canvas();
-    const auto frame = m_window->session().frame<2>();
+    const auto frame = m_window->session().motion().frame<2>();
     const Vec<2> edge(120, frame->pose.row(1).minCoeff() + 4);
     click(edge.x(), edge.y());
     QVERIFY(settle(m_window->session()));
@@ -531,7 +531,7 @@ void TestWindow::lineArtIsFilled() {
     QCOMPARE(fill->text(), QStringLiteral("Fill the Holes"));
     QTest::mouseClick(fill, Qt::LeftButton);
     QVERIFY(settle(m_window->session()) && !banner.isVisible());
-    const auto frame = m_window->session().frame<2>();
+    const auto frame = m_window->session().motion().frame<2>();
     double area = 0;
     for (const Cell<2>& cell : frame->rest->cells)
         area += std::abs(cellMeasure<2>(frame->rest->points, cell));
@@ -564,7 +564,7 @@ void TestWindow::softEdgesAreTakenAlong() {
     auto* take = banner.findChild<QPushButton*>();
     QCOMPARE(take->text(), QStringLiteral("Include Them"));
     const auto width = [&] {
-        const auto frame = m_window->session().frame<2>();
+        const auto frame = m_window->session().motion().frame<2>();
         return frame->pose.row(0).maxCoeff() - frame->pose.row(0).minCoeff();
     };
     QVERIFY(settle(m_window->session()));
@@ -608,7 +608,7 @@ void TestWindow::playRuns() {
     Playback& playback = m_window->session().playback();
     std::vector<double> heights;
     connect(&playback, &Playback::timeChanged, this,
-            [&] { heights.push_back(m_window->session().pins()[1].centre.y()); });
+            [&] { heights.push_back(m_window->session().gestures().pins()[1].centre.y()); });
     m_window->actions().play->trigger();
     QVERIFY(playback.isPlaying());
     QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
@@ -658,7 +658,7 @@ void TestWindow::numbersBelowThePicture() {
     QTRY_COMPARE(shown(QStringLiteral("Position")), placeText(at(225, 90)));  // of the last of many moves
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(225, 90));
     QVERIFY(settle(m_window->session()));
-    const auto frame = m_window->session().frame<2>();
+    const auto frame = m_window->session().motion().frame<2>();
     double pose = 0, rest = 0;
     for (const auto& cell : frame->rest->cells) {
         pose += cellMeasure<2>(frame->pose, cell);
@@ -697,7 +697,7 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     exportNextTo(path);
     m_window->actions().exportPicture->trigger();
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }, 20000));
-    const auto& frame = *m_window->session().frame<2>();
+    const auto& frame = *m_window->session().motion().frame<2>();
     View view;
     view.width = 240;
     view.height = 160;
