@@ -57,8 +57,6 @@ class ShapeView {
 
     /// Returns the pressure of a pen in ]0, 1]; 1 for devices without pressure.
     double pressure() const { return m_pressure; }
-
-  protected:
     /// Takes the pressure from a tablet event; Qt's synthesized mouse events follow it.
     void takePressure(QTabletEvent& event) {
         const bool tells = event.pointingDevice()->hasCapability(QInputDevice::Capability::Pressure);

@@ -260,7 +260,7 @@ void CompareView::makeSolid() {
 
 /// Returns whether a pin of the edited shape is at that place of its view.
 bool CompareView::isOnPin(const QPointF& at) const {
-    const SolidCanvas* own = m_parts.solid();
+    SolidCanvas* own = m_parts.solid();
     const bool isFlat = m_parts.session.document().dimension() == 2;
     const Tool* tool = isFlat ? m_parts.picture.viewport().tool() : own ? own->viewport().tool() : nullptr;
     return tool && tool->wants(at);

@@ -16,7 +16,7 @@
 #include "app/project/domain.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/session/opening.h"
-#include "app/views/volume/solid_canvas.h"
+#include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/actions.h"
 #include "app/window/export/picture_dialog.h"
 #include "app/window/export/save_dialog.h"
@@ -46,7 +46,7 @@ void SolidWorkshop::setActive(bool active) {
     m_actions.setShown(active && m_canvas);
     if (!active || !m_canvas) return;
     m_canvas->setCutKind(CutKind::None);
-    m_actions.setHasDetail(m_canvas->hasDetail());
+    m_actions.setHasDetail(m_canvas->solidLook().hasDetail());
     showCut();
 }
 
@@ -78,21 +78,20 @@ void SolidWorkshop::connectView() {
     connectLooks(m_canvas);
     connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
     const auto zoom = [this](double factor) {
-        m_canvas->camera().zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0},
-                                m_canvas->size());
-        m_canvas->update();
-        emit m_canvas->cameraChanged();
+        Camera camera = m_canvas->camera();
+        camera.zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0}, m_canvas->size());
+        m_canvas->setCamera(camera);
     };
     connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
     connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this,
-            [this] { m_actions.setHasDetail(m_canvas->hasDetail()); });
+            [this] { m_actions.setHasDetail(m_canvas->solidLook().hasDetail()); });
     connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
             [&view](Id layer) { view.set(&Looks::layer, layer); });
-    connect(&m_around.properties.detailRegions(), &RegionList::chosen, m_canvas,
-            &SolidCanvas::setDetailRegions);
+    connect(&m_around.properties.detailRegions(), &RegionList::chosen, &m_canvas->overlay(),
+            &SolidOverlay::setDetailRegions);
     connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
-        if (m_isActive) m_canvas->showWorst();
+        if (m_isActive) m_canvas->viewport().showWorst();
     });
     connect(&maps, &DistortionPanel::placeWanted, m_canvas, [this](const Vec<3>& at) {
         if (m_isActive) m_canvas->showPlace(at);
@@ -141,11 +140,11 @@ void SolidWorkshop::connectNavigation() {
     for (int k = 0; k < 3; ++k)
         connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
             if (!on) return;
-            m_canvas->setPreset(static_cast<NavigationPreset>(k));
+            m_canvas->navigation().setPreset(static_cast<NavigationPreset>(k));
             preferences::navigation.set(k);
         });
     presets[std::clamp(preferences::navigation.value(), 0, 2)]->setChecked(true);
-    m_canvas->setPreset(static_cast<NavigationPreset>(preferences::navigation.value()));
+    m_canvas->navigation().setPreset(static_cast<NavigationPreset>(preferences::navigation.value()));
 }
 
 void SolidWorkshop::connectCut() {
@@ -196,7 +195,7 @@ void SolidWorkshop::exportFilm() {
 void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
     if (!m_canvas) return;
     PictureDialog dialog(
-        m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->hasLegend(), &m_window,
+        m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->viewport().showsMap(), &m_window,
         [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); }, film);
     QString path;
     while (path.isEmpty()) {

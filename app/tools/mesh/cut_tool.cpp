@@ -11,6 +11,26 @@ void CutTool::setPlane(const CutPlane& plane) {
     if (!m_dragging) place();
 }
 
+void CutTool::choosePlane(const CutPlane& plane) {
+    m_chosenIn = session().document().generation();
+    setPlane(plane);
+}
+
+void CutTool::placeInMiddle() {
+    const auto frame = session().motion().frame<3>();
+    if (!frame) return;
+    const Vec<3> way = view().viewDirection();
+    CutPlane plane = m_plane;
+    plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
+    if (m_chosenIn != session().document().generation()) {
+        int axis = 0;
+        way.cwiseAbs().maxCoeff(&axis);
+        plane.normal = Vec<3>::Unit(axis);
+    }
+    if (plane.normal.dot(way) > 0) plane.normal = -plane.normal;
+    setPlane(plane);
+}
+
 void CutTool::place() {
     Mat<3> axes;
     axes.col(2) = m_plane.normal.normalized();

@@ -21,6 +21,11 @@ class CutTool : public ShapeTool<SolidShapeView> {
     bool comesFirst() const { return m_active && m_first; }
     bool isDragging() const { return m_dragging; }
     void setPlane(const CutPlane& plane);
+    /// Sets the plane that the user has chosen: its normal is kept in this document.
+    void choosePlane(const CutPlane& plane);
+    /// Puts the plane through the middle of the shape, so that it cuts away the near half: along the normal
+    /// that was chosen in this document, or along the world axis closest to the viewing direction.
+    void placeInMiddle();
     const CutPlane& plane() const { return m_plane; }
 
     QString hint() const override;
@@ -41,6 +46,7 @@ class CutTool : public ShapeTool<SolidShapeView> {
     Manipulator m_manipulator;
     CutPlane m_plane, m_start;
     std::optional<Manipulator::Part> m_part;
+    int m_chosenIn = -1;  // the generation of the document in which the user chose the plane
     bool m_active = false, m_dragging = false, m_first = false;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/panels/legend.h"
+#include "app/views/shape/shape_painter.h"
 
 namespace wend {
 
@@ -120,6 +121,20 @@ void Viewport::paintLegend(QPainter& painter, const QSize& size) const {
                         m_shape.dimension());
 }
 
+void Viewport::paintPins(ShapePainter& painter) const {
+    if (m_shape.session().playback().isPlaying()) return;
+    if (m_looks.groups) painter.groups(*m_looks.groups);
+    painter.paths(hovered());
+    painter.pins(hovered(), m_named);
+}
+
+void Viewport::showWorst() {
+    const FramePtr frame = m_shape.session().motion().frame();
+    if (!frame || frame->dimension != m_shape.dimension()) return;
+    const int cell = worstOf(*frame->distortion, m_looks.colours.measure).cell;
+    if (cell >= 0) m_view.showPlace(frame->centreOf(cell));
+}
+
 // --- Pointer and key events on a shape ---
 
 bool Viewport::eventFilter(QObject* watched, QEvent* event) {
@@ -139,6 +154,11 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyRelease:
             if (key.key() == Qt::Key_Space && !key.isAutoRepeat()) setSpaceDown(false);
             return false;
+        case QEvent::TabletPress:
+        case QEvent::TabletMove:
+        case QEvent::TabletRelease:
+            m_shape.takePressure(*static_cast<QTabletEvent*>(event));
+            return true;
         case QEvent::ShortcutOverride:
             if (!ownsKey(key)) return false;
             event->accept();

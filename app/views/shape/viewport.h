@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "app/style/theme.h"
 #include "app/tools/shape_view.h"
 #include "app/tools/tool.h"
 #include "app/views/shape/looks.h"
@@ -12,6 +13,7 @@
 namespace wend {
 
 class LegendLock;
+class ShapePainter;
 
 /// The common part of the views of pictures and solids: events of the active tool, and overlays. It filters
 /// the events of the view's widget.
@@ -32,6 +34,8 @@ class Viewport : public QObject {
         /// Navigates by a press, move or release; `pans`: whatever the button means.
         virtual void navigate(QMouseEvent& event, bool pans) = 0;
         virtual void endNavigation() = 0;
+        /// Brings a place into the middle.
+        virtual void showPlace(const Vec3& at) = 0;
         /// Describes the place under the pointer.
         virtual QString pointerText(const QPointF& at) = 0;
     };
@@ -70,6 +74,11 @@ class Viewport : public QObject {
     /// Paints the legend of the map at the lower right of the view, or of a picture of that size.
     void paintLegend(QPainter& painter, const QSize& size) const;
     void showLegendLock();
+    /// Paints the groups, paths and pins, which are hidden during playback.
+    void paintPins(ShapePainter& painter) const;
+    /// Brings the worst place of the map's measure into the middle.
+    void showWorst();
+    Theme theme() const { return Theme::of(m_widget.palette()); }
 
   signals:
     void hintChanged(QString hint);

@@ -1,5 +1,6 @@
 #include "app/views/volume/drawn_solid.h"
 
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -17,7 +18,132 @@ bool isSame(const Points<3>& a, const Points<3>& b) {
     return a.cols() == b.cols() && a == b;
 }
 
+/// Returns the nearest skin point of each vertex on the solid's border at rest; −1 for inner vertices.
+std::vector<int> nearestSkinPoints(const Skin& skin, const Points<3>& rest,
+                                   const std::vector<Facet<3>>& border) {
+    std::vector<int> nearest(static_cast<std::size_t>(rest.cols()), -1);
+    const std::vector<Cell<3>> none;
+    const PointLocator<3> search(skin.points, none);
+    for (const Facet<3>& facet : border) {
+        if (facet.interior()) continue;
+        for (const int v : facet.vertices)
+            if (int& found = nearest[static_cast<std::size_t>(v)]; found < 0)
+                found = search.nearestVertex(rest.col(v));
+    }
+    return nearest;
+}
+
+/// Adds the nearest corner of the triangle.
+SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
+                  const TriangleTree::Hit& hit) {
+    SolidHit result;
+    if (hit.triangle < 0) return result;
+    result.cell = surface.cells[hit.triangle];
+    result.point = ray.origin + hit.distance * ray.direction;
+    double closest = std::numeric_limits<double>::infinity();
+    for (const auto& c : surface.triangles[hit.triangle])
+        for (const int v : {c.from, c.to}) {
+            const double distance = (pose.col(v) - result.point).norm();
+            if (distance < closest) result.vertex = v;
+            closest = std::min(closest, distance);
+        }
+    return result;
+}
+
+constexpr double kOnBorder = 1e-9;  // barycentric tolerance for points on the border of a cell
+
+/// Returns the interval of the ray that the cut has left.
+std::pair<double, double> leftOf(const Ray& ray, const std::optional<CutPlane>& cut) {
+    const double far = std::numeric_limits<double>::infinity();
+    if (!cut) return {0, far};
+    const double height = cut->height(ray.origin), climb = cut->normal.dot(ray.direction);
+    const double crossing = -height / climb;
+    if (height > 0) return {climb < 0 ? crossing : far, far};
+    return {0, climb > 0 ? crossing : far};
+}
+
 }  // namespace
+
+// --- Rays ---
+
+void RayCasting::takeSurface(CutSurface surface) {
+    m_surface = std::move(surface);
+    m_surfaceStale = true;
+}
+
+const TriangleTree& RayCasting::tree(const Points<3>& pose) {
+    if (m_surfaceStale) {
+        m_points.emplace(m_surface);
+        m_tree = TriangleTree(m_points->at(pose), std::move(m_points->triangles));
+    } else if (m_poseStale) {
+        m_tree.refit(m_points->at(pose));
+    }
+    m_surfaceStale = m_poseStale = false;
+    return m_tree;
+}
+
+SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
+    const TriangleTree::Hit hit = tree(pose).firstHit(ray.origin, ray.direction);
+    m_visited = hit.visited;
+    return solidHit(m_surface, pose, ray, hit);
+}
+
+void SkinCasting::update(const VolumePicture& solid, const Points<3>& skinPose) {
+    if (m_skinStale) {
+        m_tree = TriangleTree(skinPose, solid.skin->triangles);
+        m_locator.emplace(solid.rest->points, solid.rest->cells);
+        m_isOuter.assign(solid.rest->vertexCount(), false);
+        for (const Facet<3>& facet : *solid.facets)
+            if (!facet.interior())
+                for (const int v : facet.vertices) m_isOuter[v] = true;
+    } else if (m_poseStale) {
+        m_tree.refit(skinPose);
+    }
+    m_skinStale = m_poseStale = false;
+}
+
+/// Returns the cell at the rest place; outside all cells that of the nearest corner of its triangle.
+int SkinCasting::cellOf(const VolumePicture& solid, const Vec<3>& point) const {
+    const TriangleTree::Nearest there = m_tree.nearest(point);
+    const auto& corners = solid.skin->triangles[there.triangle];
+    Vec<3> rest = Vec<3>::Zero();
+    for (int k = 0; k < 3; ++k) rest += there.weights[k] * solid.skin->points.col(corners[k]);
+    if (const auto inside = m_locator->find(rest, kOnBorder)) return inside->cell;
+    int nearest = 0;
+    there.weights.maxCoeff(&nearest);
+    return solid.embedding->cell(corners[nearest]);
+}
+
+/// Returns the nearest corner of the cell, preferring vertices on the solid's border.
+int SkinCasting::vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const {
+    int best = -1;
+    std::pair<bool, double> least;
+    for (const int v : solid.rest->cells[cell]) {
+        const std::pair<bool, double> rank(!m_isOuter[v], (solid.pose.col(v) - point).norm());
+        if (best < 0 || rank < least) {
+            best = v;
+            least = rank;
+        }
+    }
+    return best;
+}
+
+SolidHit SkinCasting::hit(const Ray& ray, const VolumePicture& solid, const Points<3>& skinPose,
+                          const std::optional<CutPlane>& cut) {
+    update(solid, skinPose);
+    SolidHit result;
+    const auto [from, to] = leftOf(ray, cut);
+    if (!(from < to)) return result;
+    const TriangleTree::Hit hit = m_tree.firstHit(ray.origin + from * ray.direction, ray.direction);
+    m_visited = hit.visited;
+    if (hit.triangle < 0 || from + hit.distance > to) return result;
+    result.point = ray.origin + (from + hit.distance) * ray.direction;
+    result.cell = cellOf(solid, result.point);
+    result.vertex = vertexOf(solid, result.cell, result.point);
+    return result;
+}
+
+// --- The content ---
 
 bool DrawnSolid::initialize() {
     m_meshStale = m_poseStale = m_coloursStale = m_texturesStale = m_glyphsStale = true;
@@ -61,6 +187,7 @@ void DrawnSolid::setStyle(const SurfaceStyle& style) {
 SurfaceStyle DrawnSolid::style() const {
     SurfaceStyle style = m_style;
     if (m_picture.isOpen) style.ownFromBehind = kOwnFromBehind;
+    if (!m_picture.materials) style.dimming = style.mapOpacity = 0;
     return style;
 }
 
@@ -101,6 +228,18 @@ const Points<3>& DrawnSolid::skinPose() const {
     return *m_ridden;
 }
 
+/// Returns the points of the embedded surface that are nearest to the vertices, cached per surface.
+const std::vector<int>& DrawnSolid::skinPoints() const {
+    if (std::exchange(m_nearestOf, m_picture.skin) != m_picture.skin)
+        m_nearest = nearestSkinPoints(*m_picture.skin, m_picture.rest->points, *m_picture.facets);
+    return m_nearest;
+}
+
+Vec<3> DrawnSolid::placeOf(int vertex) const {
+    const int point = showsSkin() ? skinPoints()[static_cast<std::size_t>(vertex)] : -1;
+    return point < 0 ? m_picture.pose.col(vertex) : skinPose().col(point);
+}
+
 std::optional<CutPlane> DrawnSolid::clip() const {
     return showsSkin() && m_cut == CutKind::Exact ? std::optional(m_plane) : std::nullopt;
 }
@@ -128,6 +267,8 @@ SolidHit DrawnSolid::hit(const Ray& ray) const {
         cells.cell < 0 || (skin.point - ray.origin).norm() < (cells.point - ray.origin).norm();
     return skin.cell >= 0 && isSkin ? skin : cells;
 }
+
+// --- Uploads what has changed, and draws ---
 
 bool DrawnSolid::isStale() const {
     return m_meshStale || m_poseStale || m_coloursStale || m_texturesStale || m_glyphsStale ||
@@ -206,7 +347,7 @@ std::vector<QRgb> DrawnSolid::coloursOf(const DrawMesh& mesh, bool skin) const {
 
 void DrawnSolid::uploadColours() {
     m_renderer.setColours(SurfaceRenderer::Outer, coloursOf(m_outer, showsSkin()));
-    if (m_style.mapOpacity > 0) m_renderer.setMap(SurfaceRenderer::Outer, coloursOf(m_outer, false));
+    if (style().mapOpacity > 0) m_renderer.setMap(SurfaceRenderer::Outer, coloursOf(m_outer, false));
     m_renderer.setColours(SurfaceRenderer::Section,
                           m_picture.section
                               ? std::vector<QRgb>(m_section.triangles.size(), *m_picture.section)

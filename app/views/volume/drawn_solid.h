@@ -4,13 +4,61 @@
 #include <memory>
 #include <optional>
 
+#include "app/tools/solid_shape_view.h"
 #include "app/views/volume/line_renderer.h"
-#include "app/views/volume/ray_casting.h"
 #include "app/views/volume/surface_renderer.h"
 #include "app/views/volume/volume_picture.h"
 #include "core/mesh/cut_plane.h"
+#include "core/mesh/point_locator.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace wend {
+
+/// Intersects rays with a cut and deformed surface: bounding boxes are built for the first ray, and refitted
+/// for the first ray after a change of the pose.
+class RayCasting {
+  public:
+    void takeSurface(CutSurface surface);
+    void takePose() { m_poseStale = true; }
+    /// Returns the nearest triangle that the ray hits; cell −1 if there is none.
+    SolidHit hit(const Ray& ray, const Points<3>& pose);
+    /// Boxes and triangles that the last hit() looked at.
+    int visited() const { return m_visited; }
+
+  private:
+    const TriangleTree& tree(const Points<3>& pose);
+
+    CutSurface m_surface;
+    std::optional<CutPoints> m_points;
+    TriangleTree m_tree;
+    bool m_surfaceStale = true, m_poseStale = true;
+    int m_visited = 0;
+};
+
+/// Intersects rays with a surface embedded in a solid, such as in a cage: the pointer touches the visible
+/// surface, and the cells are those that contain the place. Boxes and the cell grid are built for the first
+/// ray, and boxes refitted for the first ray after a change of the pose.
+class SkinCasting {
+  public:
+    void takeSkin() { m_skinStale = true; }
+    void takePose() { m_poseStale = true; }
+    /// Returns the nearest point of the skin on the ray that the cut has left; cell −1 if there is none.
+    SolidHit hit(const Ray& ray, const VolumePicture& solid, const Points<3>& skinPose,
+                 const std::optional<CutPlane>& cut);
+    /// Boxes and triangles that the last hit() looked at.
+    int visited() const { return m_visited; }
+
+  private:
+    void update(const VolumePicture& solid, const Points<3>& skinPose);
+    int cellOf(const VolumePicture& solid, const Vec<3>& point) const;
+    int vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const;
+
+    TriangleTree m_tree;                       // of the skin's pose
+    std::optional<PointLocator<3>> m_locator;  // at rest
+    std::vector<bool> m_isOuter;               // per vertex of the solid
+    bool m_skinStale = true, m_poseStale = true;
+    int m_visited = 0;
+};
 
 enum class CutKind { None, WholeCells, Exact };
 
@@ -45,6 +93,8 @@ class DrawnSolid {
     bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
     /// Returns the points of that surface.
     const Points<3>& skinPose() const;
+    /// Returns where a vertex is drawn: that surface is in the place of the solid's border.
+    Vec<3> placeOf(int vertex) const;
     /// Returns all drawn points.
     Points<3> points() const;
     /// Returns the nearest drawn point that the ray hits.
@@ -74,6 +124,7 @@ class DrawnSolid {
     void uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin);
     void uploadGlyphs();
     void uploadRim(const Sight& sight);
+    const std::vector<int>& skinPoints() const;
     std::vector<QRgb> coloursOf(const DrawMesh& mesh, bool skin) const;
 
     SurfaceRenderer m_renderer;
@@ -82,10 +133,12 @@ class DrawnSolid {
     std::shared_ptr<const Skin> m_textured;  // the skin whose pictures were uploaded
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
-    std::vector<std::array<int, 2>> m_outline;  // of the section: its points
-    Points<3> m_sectionEnds{3, 0};              // of the lines of the outline
-    Contour m_contour;                          // of m_outer, if it is asked for
-    mutable std::optional<Points<3>> m_ridden;  // until the pose changes
+    std::vector<std::array<int, 2>> m_outline;        // of the section: its points
+    Points<3> m_sectionEnds{3, 0};                    // of the lines of the outline
+    Contour m_contour;                                // of m_outer, if it is asked for
+    mutable std::optional<Points<3>> m_ridden;        // until the pose changes
+    mutable std::shared_ptr<const Skin> m_nearestOf;  // owner of m_nearest
+    mutable std::vector<int> m_nearest;               // points of that surface to the vertices
     mutable RayCasting m_rays;
     mutable SkinCasting m_skinRays;
     CutPlane m_plane;

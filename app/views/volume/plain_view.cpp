@@ -9,8 +9,8 @@ QImage PlainView::draw(const SolidCanvas& like, const PosedFrame<3>& frame, cons
         m_view = new VolumeView(like.parentWidget());
         m_view->hide();
     }
-    m_view->setStyle(like.plainStyle());
-    m_view->setPicture(like.plainPicture(frame), false);
+    m_view->setStyle(like.solidLook().plainStyle());
+    m_view->setPicture(like.solidLook().plainPicture(frame), false);
     m_view->resize(size);
     m_view->camera() = like.camera();
     m_view->fit();

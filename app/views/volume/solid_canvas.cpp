@@ -4,43 +4,21 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "app/engine/shape/shape.h"
 #include "app/project/design.h"
-#include "app/project/domain.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/style/colours.h"
-#include "app/style/smooth_map.h"
-#include "app/style/theme.h"
+#include "app/views/volume/solid_overlay.h"
 
 namespace wend {
 
 namespace {
 
-// The colour of a cut face while no map is shown: a rose that no map uses.
-constexpr QRgb kSectionColour = 0xffd6a8b8;
 constexpr int kMarksEvery = 40, kMarksEveryInSoftware = 120;  // without a frame
-const QRgb kPlain = qRgb(199, 186, 164), kPlainDark = qRgb(176, 164, 146);
-
-/// The overlay of the picture, transparent to the mouse.
-class Overlay : public QWidget {
-  public:
-    explicit Overlay(SolidCanvas& canvas) : QWidget(&canvas), m_canvas(canvas) {
-        setAttribute(Qt::WA_TransparentForMouseEvents);
-        setAttribute(Qt::WA_NoSystemBackground);
-    }
-
-  protected:
-    void paintEvent(QPaintEvent*) override {
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        m_canvas.paintOver(painter);
-    }
-
-  private:
-    SolidCanvas& m_canvas;
-};
+constexpr double kNear = 0.2;                                 // fraction of the diagonal shown around a cell
+constexpr std::size_t kMostRays = 4000;  // vertices of one handle beyond which all count as visible
 
 /// Adds the directions of a selected curve, which may be far from it.
 void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& points) {
@@ -53,6 +31,22 @@ void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& 
     }
 }
 
+/// Returns the points of the pins and their paths as they are drawn.
+std::vector<Vec<3>> pathPoints(const ShapeSession& session) {
+    std::vector<Vec<3>> points;
+    for (const PinView& view : session.gestures().pins()) points.push_back(view.centre);
+    const auto& handles = session.document().design().handles;
+    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
+        const auto starts = session.pins().pathStarts(h);
+        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
+        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
+            points.insert(points.end(), path.points.begin(), path.points.end());
+            if (session.selection().contains(h)) addDirections(handles[h], path, points);
+        }
+    }
+    return points;
+}
+
 }  // namespace
 
 SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
@@ -61,40 +55,31 @@ SolidCanvas::SolidCanvas(ShapeSession& session, QWidget* parent)
       m_cutTool(
           *this, [this](const CutPlane& plane) { setCutPlane(plane); },
           [this] { return m_viewport.tool() && m_viewport.tool()->hasManipulator(); }),
-      m_overlay(new Overlay(*this)),
-      m_viewport(*this, *this, *this, *m_overlay, &m_cutTool) {
+      m_overlay(new SolidOverlay(*this)),
+      m_viewport(*this, *this, *this, *m_overlay, &m_cutTool),
+      m_look(m_viewport, session.motion(), session.document()),
+      m_viewpoint(*this, session.document()) {
     setMinimumSize(320, 240);
-    applyTheme();
-    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &SolidCanvas::takeFrame);
-    connect(&m_session.gestures(), &ShapeGesture::pinsChanged, this, &SolidCanvas::redraw);
-    connect(&m_session.document(), &Document::projectChanged, this, [this] {
+    // Cancels gestures with cells and vertices of an old mesh.
+    const auto takeFrame = [this] {
+        const auto frame = m_session.motion().frame<3>();
+        const std::shared_ptr<const void> mesh = frame ? frame->shape : nullptr;
+        if (std::exchange(m_mesh, mesh) != mesh) m_viewport.cancelGesture();
+        m_viewport.takeFrame();
+        showLooks();
+    };
+    const Document& document = session.document();
+    connect(&session.motion(), &ShapeMotion::frameChanged, this, takeFrame);
+    connect(&session.gestures(), &ShapeGesture::pinsChanged, this, &SolidCanvas::redraw);
+    connect(&document, &Document::projectChanged, this, [this] {
         m_preview.takeProject();
-        takeUpAxis();
+        m_viewpoint.takeUpAxis();
     });
-    connect(&m_session.document(), &Document::viewWanted, this, &SolidCanvas::keepCamera);
+    connect(&document, &Document::viewWanted, this, [this] {
+        if (m_session.motion().frame<3>()) m_viewpoint.keep();
+    });
     connect(this, &VolumeView::cameraChanged, this, &SolidCanvas::redraw);
     takeFrame();
-}
-
-void SolidCanvas::applyTheme() {
-    const Theme theme = Theme::of(palette());
-    const Looks& looks = m_viewport.looks();
-    m_style.edges = looks.mesh;
-    m_style.flat = looks.flat;
-    setBackground(ground());
-    m_style.edgeColour = theme.dark ? QColor(12, 13, 18) : QColor(20, 24, 32);
-    setStyle(m_style);
-}
-
-QColor SolidCanvas::ground() const {
-    const QColor& backdrop = m_viewport.looks().backdrop;
-    return backdrop.isValid() ? backdrop : Theme::of(palette()).workspace;
-}
-
-void SolidCanvas::showLooks() {
-    applyTheme();
-    refresh();
-    update();
 }
 
 /// Repainting composes the whole window, which is slow without a GPU.
@@ -102,87 +87,23 @@ void SolidCanvas::redraw() {
     m_viewport.redraw(solid().isSoftware() ? kMarksEveryInSoftware : kMarksEvery);
 }
 
-/// Cancels gestures with cells and vertices of an old mesh.
-void SolidCanvas::takeFrame() {
-    const auto frame = m_session.motion().frame<3>();
-    const std::shared_ptr<const void> mesh = frame ? frame->shape : nullptr;
-    if (std::exchange(m_mesh, mesh) != mesh) m_viewport.cancelGesture();
-    m_viewport.takeFrame();
-    refresh();
-}
-
-QRgb SolidCanvas::plainColour() const {
-    const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    return m_viewport.isDimmed() ? dimmed(plain) : plain;
-}
-
-bool SolidCanvas::hasDetail(const PosedFrame<3>& frame) const {
-    const auto& skin = frame.built->skin;
-    return skin && frame.built->embedding &&
-           (frame.built->cage || !m_session.document().domain().detail.empty() || hasOwnColours(*skin));
-}
-
-bool SolidCanvas::hasDetail() const {
-    const auto frame = m_session.motion().frame<3>();
-    return frame && hasDetail(*frame);
-}
-
-VolumePicture SolidCanvas::plainPicture(const PosedFrame<3>& frame) const {
-    VolumePicture picture;
-    picture.rest = frame.rest;
-    picture.facets = frame.built->facets;
-    picture.pose = frame.pose;
-    picture.cellColours.assign(frame.rest->cells.size(), plainColour());
-    picture.section = kSectionColour;
-    picture.materials = m_viewport.looks().detail && hasDetail(frame);
-    if (!picture.materials) return picture;
-    picture.skin = frame.built->skin;
-    picture.embedding = frame.built->embedding;
-    return picture;
-}
-
-SurfaceStyle SolidCanvas::plainStyle() const {
-    SurfaceStyle style = m_style;
-    style.edges = false;
-    style.dimming = style.mapOpacity = 0;
-    style.rim = QColor();
-    return style;
-}
-
-/// Returns true once per document, whose view is then initialized.
-bool SolidCanvas::meetsNewDocument() {
-    const int generation = m_session.document().generation();
-    if (std::exchange(m_generation, generation) == generation) return false;
-    m_planeChosen = false;
-    m_fitted = true;
-    return true;
-}
-
 /// Fits the view to a new solid: first at rest, then again when its motion is known.
-void SolidCanvas::refresh() {
-    const Looks& looks = m_viewport.looks();
-    const auto frame = posed<3>(seen(looks, shownFrame()));
+void SolidCanvas::showLooks() {
     m_missed = m_held;
     m_viewport.showLegendLock();
-    if (!frame) setGlyphs({});  // those of the last solid
-    if (!frame || m_held) return;
-    VolumePicture picture = plainPicture(*frame);
-    if (m_viewport.showsMap()) addMap(picture, *frame);
-    m_style.dimming = m_viewport.isDimmed() && picture.materials ? 0.5 : 0;
-    const bool hasMap = m_viewport.showsMap() && !isPainted(looks.colours.measure);
-    m_style.mapOpacity = hasMap && picture.materials ? looks.colours.opacity : 0;
-    m_style.rim = hasMap && isOnDark() ? QColor::fromRgba(kRim) : QColor();
-    setStyle(m_style);
-    const bool isNew = meetsNewDocument();
-    if (isNew) {
-        m_toFit = true;
-        lookAtFirst();
-    }
+    if (m_held) return;
+    setBackground(m_look.ground());
+    setStyle(m_look.style());
+    const auto frame = posed<3>(seen(m_viewport.looks(), shownFrame()));
+    if (!frame) return setGlyphs({}, {});  // those of the last solid
+    const bool isNew = m_viewpoint.begin();
+    m_toFit = m_toFit || isNew;
     if (frame->live || m_session.playback().isPlaying()) hurry();
-    setPicture(std::move(picture), m_toFit && m_fitted);
-    if (isNew) takeKeptCamera();
+    setPicture(m_look.picture(*frame), m_toFit && m_viewpoint.isFitted());
+    if (isNew) m_viewpoint.restore();
     m_toFit = m_toFit && m_session.motion().isStale();
-    showGlyphs(*frame);
+    auto [triangles, veiled] = m_look.glyphs(*frame, solid());
+    setGlyphs(std::move(triangles), std::move(veiled));
     m_overlay->update();  // with the solid: the window is put together once
 }
 
@@ -192,76 +113,47 @@ bool SolidCanvas::isMoving() const {
 
 void SolidCanvas::setHeld(bool held) {
     m_held = held;
-    if (!held && m_missed) refresh();
+    if (!held && m_missed) showLooks();
 }
 
-void SolidCanvas::showPreview(const std::shared_ptr<const Skin>& skin) {
-    if (m_session.motion().frame<3>() || skin->points.cols() == 0 || !skin->points.allFinite()) return;
-    const QRgb plain = Theme::of(palette()).dark ? kPlainDark : kPlain;
-    lookAtFirst();
-    setPicture(pictureOfSurface(skin->points, skin->triangles,
-                                std::vector<QRgb>(skin->triangles.size(), dimmed(plain))),
-               true);
-    takeKeptCamera();
+void SolidCanvas::showPreview(const Skin& skin) {
+    if (m_session.motion().frame<3>() || skin.points.cols() == 0 || !skin.points.allFinite()) return;
+    m_viewpoint.lookAtFirst();
+    const QRgb plain = m_look.plainColour(), colour = m_viewport.isDimmed() ? plain : dimmed(plain);
+    setPicture(
+        pictureOfSurface(skin.points, skin.triangles, std::vector<QRgb>(skin.triangles.size(), colour)),
+        true);
+    m_viewpoint.restore();
     redraw();
 }
 
 void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
-    const bool isNew = meetsNewDocument();
-    if (isNew) lookAtFirst();
+    const bool isNew = m_viewpoint.begin();
     m_toFit = false;
     setPicture(std::move(picture), false);
-    if (isNew) lookAlong(direction);
+    if (isNew) m_viewpoint.lookAlong(direction);
     redraw();
-}
-
-void SolidCanvas::setDetailRegions(const std::vector<SoftRegion>& regions) {
-    m_detailRegions.setRegions(regions);
-    m_overlay->update();
-}
-
-void SolidCanvas::showPlace(VolumePicture picture, const Vec<3>& direction, const Points<3>& around) {
-    setPicture(std::move(picture), false);
-    camera().lookAlong(direction);
-    camera().fit(around, size());
-    m_fitted = false;
-    update();
-    redraw();
-}
-
-void SolidCanvas::showSolid() {
-    refresh();
-    fit();
-}
-
-void SolidCanvas::lookAlong(const Vec<3>& direction) {
-    camera().lookAlong(direction);
-    m_fitted = true;
-    fit();
 }
 
 void SolidCanvas::takeView(const SolidCanvas& other) {
-    m_fitted = other.m_fitted;
+    m_viewpoint.setFitted(other.m_viewpoint.isFitted());
     camera() = other.camera();
     m_cutTool.setPlane(other.solid().plane());
     setCut(other.solid().cut(), other.solid().plane());
-    update();
     redraw();
 }
 
 void SolidCanvas::resizeEvent(QResizeEvent* event) {
     VolumeView::resizeEvent(event);
     m_overlay->setGeometry(rect());
-    if (m_fitted && !m_held) fit();
+    if (m_viewpoint.isFitted() && !m_held) fit();
 }
-
-// --- The viewpoint of a solid and its storage in the project ---
 
 /// Returns the points to fit the view to, with pins and paths.
 Points<3> SolidCanvas::fitted() const {
     const Points<3> drawn = VolumeView::fitted();
     if (m_viewport.looks().hidden || !m_session.motion().frame<3>()) return drawn;
-    const std::vector<Vec<3>> marked = pathPoints();
+    const std::vector<Vec<3>> marked = pathPoints(m_session);
     Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
     all.leftCols(drawn.cols()) = drawn;
     for (std::size_t i = 0; i < marked.size(); ++i)
@@ -269,97 +161,56 @@ Points<3> SolidCanvas::fitted() const {
     return all;
 }
 
-/// Sets the default view for documents without a camera.
-void SolidCanvas::lookAtFirst() {
-    camera().setUpAxis(m_session.document().up());
-    camera().setOrthographic(false);
-    look(Camera::Axis::Isometric);
+void SolidCanvas::setFaults(const std::shared_ptr<const PoseFaults<3>>& faults) {
+    if (m_look.setFaults(faults) && m_viewport.looks().map) showLooks();
 }
 
-/// Restores the camera after fitting, which sets the depth range.
-void SolidCanvas::takeKeptCamera() {
-    const auto& kept = m_session.document().camera();
-    m_asOpened.reset();
-    if (!kept) return;
-    camera().restore(*kept);
-    m_asOpened = camera().saved();
-    m_fitted = false;
-    emit cameraChanged();
+void SolidCanvas::showCell(int cell) {
+    const auto frame = m_session.motion().frame<3>();
+    if (!frame || cell < 0 || cell >= frame->cells) return;
+    m_overlay->markCell(cell, frame->shape);
+    Points<3> around(3, 4);
+    for (int k = 0; k < 4; ++k) around.col(k) = frame->pose.col(frame->rest->cells[cell][k]);
+    const Vec<3> centre = around.rowwise().mean();
+    const double wanted = kNear * frame->diagonal,
+                 is = (around.colwise() - centre).colwise().norm().maxCoeff();
+    m_viewpoint.zoomTo(((around.colwise() - centre) * std::max(1.0, wanted / is)).colwise() + centre);
 }
 
-void SolidCanvas::takeUpAxis() {
-    const Document& document = m_session.document();
-    if (document.dimension() != 3 || document.generation() != m_generation) return;
-    const UpAxis up = document.up();
-    if (up == camera().upAxis()) return;
-    camera().setUpAxis(up);
-    fit();
-}
-
-/// Keeps the document's camera unless the user has moved it.
-void SolidCanvas::keepCamera() {
-    Document& document = m_session.document();
-    if (!m_session.motion().frame<3>() || document.generation() != m_generation) return;
-    const SavedCamera now = camera().saved();
-    if (m_asOpened == now) return;
-    Camera first = camera();
-    first.setOrthographic(false);
-    first.look(Camera::Axis::Isometric);
-    const bool isTurned = now.parallel || !first.direction().isApprox(camera().direction(), 1e-6);
-    if (!m_fitted) first.fit(fitted(), size());
-    document.setCamera(isTurned || (!m_fitted && first.saved() != now) ? std::optional(now) : std::nullopt);
+void SolidCanvas::showPlace(const Vec<3>& at) {
+    Camera next = camera();
+    next.lookAt(at);
+    setCamera(next);
 }
 
 // --- The cut ---
-
-CutPlane SolidCanvas::middlePlane(const Vec<3>& normal) const {
-    CutPlane plane;
-    plane.normal = normal;
-    const auto frame = m_session.motion().frame<3>();
-    if (frame) plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
-    return plane;
-}
-
-/// Cuts away the near half: along the world axis closest to the viewing direction, or along the normal chosen
-/// in this document.
-Vec<3> SolidCanvas::normalToViewer() const {
-    const Vec<3> way = viewDirection();
-    Vec<3> normal = m_cutTool.plane().normal;
-    if (!m_planeChosen) {
-        int axis = 0;
-        way.cwiseAbs().maxCoeff(&axis);
-        normal = Vec<3>::Unit(axis);
-    }
-    return normal.dot(way) > 0 ? Vec<3>(-normal) : normal;
-}
 
 void SolidCanvas::setCutKind(CutKind kind) {
     if (kind == solid().cut() || (kind != CutKind::None && !m_session.motion().frame<3>())) {
         emit cutChanged();
         return;
     }
-    if (solid().cut() == CutKind::None) m_cutTool.setPlane(middlePlane(normalToViewer()));
+    if (solid().cut() == CutKind::None) m_cutTool.placeInMiddle();
     m_cutTool.setActive(kind != CutKind::None);
     setCut(kind, m_cutTool.plane());
-    refresh();
+    showLooks();
     emit cutChanged();
 }
 
 void SolidCanvas::setCutPlane(const CutPlane& plane) {
-    m_planeChosen = true;
-    m_cutTool.setPlane(plane);
+    m_cutTool.choosePlane(plane);
     setCut(solid().cut(), plane);
-    refresh();
+    showLooks();
     emit cutChanged();
 }
 
-// --- Navigation and picking in a solid ---
+// --- Navigation ---
 
 void SolidCanvas::navigate(QMouseEvent& event, bool pans) {
     if (pans)
         navigation().pressToPan(event);
     else if (event.type() == QEvent::MouseMove)
-        m_fitted = false, VolumeView::mouseMoveEvent(&event);
+        m_viewpoint.setFitted(false), VolumeView::mouseMoveEvent(&event);
     else if (event.type() == QEvent::MouseButtonRelease)
         VolumeView::mouseReleaseEvent(&event);
     else
@@ -385,24 +236,89 @@ QString SolidCanvas::pointerText(const QPointF& at) {
 }
 
 void SolidCanvas::wheelEvent(QWheelEvent* event) {
-    m_fitted = false;
+    m_viewpoint.setFitted(false);
     VolumeView::wheelEvent(event);
 }
 
-/// Returns the points of the pins and their paths as they are drawn.
-std::vector<Vec<3>> SolidCanvas::pathPoints() const {
-    std::vector<Vec<3>> points;
-    for (const PinView& view : m_session.gestures().pins()) points.push_back(view.centre);
-    const auto& handles = m_session.document().design().handles;
-    for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
-        const auto starts = m_session.pins().pathStarts(h);
-        if (handles[h].motions.empty() || starts.empty() || handles[h].traits.hidden) continue;
-        for (const PinPath& path : pinPaths(handles[h], shownStarts(starts), 3)) {
-            points.insert(points.end(), path.points.begin(), path.points.end());
-            if (m_session.selection().contains(h)) addDirections(handles[h], path, points);
-        }
+// --- The interface of a solid's view for tools ---
+
+Ray SolidCanvas::ray(const QPointF& widget) const {
+    return camera().ray({widget.x(), widget.y()}, size());
+}
+
+QPointF SolidCanvas::onScreen(const Vec<3>& p) const {
+    const Vec<3> screen = camera().project(p, size());
+    return {screen.x(), screen.y()};
+}
+
+std::vector<int> SolidCanvas::verticesWhere(const std::function<bool(const QPointF&)>& inside,
+                                            bool visibleOnly) const {
+    return showsFrame() ? VolumeView::verticesWhere(inside, visibleOnly) : std::vector<int>();
+}
+
+/// Returns whether the frame is shown, rather than a file's surface or an earlier mesh with other cells and
+/// vertices.
+bool SolidCanvas::showsFrame() const {
+    const auto frame = m_session.motion().frame<3>();
+    return frame && solid().picture().rest == frame->rest;
+}
+
+SolidHit SolidCanvas::pick(const QPointF& widget) const {
+    return showsFrame() ? VolumeView::pick(widget) : SolidHit{};
+}
+
+std::optional<Touch> SolidCanvas::touch(const QPointF& widget) const {
+    const SolidHit hit = pick(widget);
+    if (hit.cell < 0) return {};
+    Place place = m_session.motion().frame()->placeIn(hit.cell, hit.point);
+    // A surface may reach out of the solid that takes it along.
+    place.weights = place.weights.cwiseMax(0);
+    place.weights /= place.weights.sum();
+    return Touch{place, hit.point};
+}
+
+void SolidCanvas::showMaterial(const FramePtr& painted, bool lasts) {
+    m_preview.set(m_session.motion().frame<3>(), posed<3>(painted), lasts);
+    showLooks();
+}
+
+/// Whole cells reach beyond the plane: points on the drawn surface are not cut off.
+bool SolidCanvas::isHidden(const Place&, const Vec<3>& p) const {
+    const Ray sight = ray(onScreen(p));
+    const SolidHit hit = solid().hit(sight);
+    const double within = 2 * pixelSize(p);
+    const double before = hit.cell < 0
+                              ? -std::numeric_limits<double>::infinity()
+                              : (p - sight.origin).dot(sight.direction) - (hit.point - sight.origin).norm();
+    return before > within || (isCutOff(p) && before < -within);
+}
+
+/// Asks through its middle and those of its sides.
+std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
+    if (!showsFrame()) return {};
+    const Points<3>& pose = solid().picture().pose;
+    const Cell<3>& corners = solid().picture().rest->cells[cell];
+    Vec<3> sum = Vec<3>::Zero();
+    for (const int v : corners) sum += pose.col(v);
+    std::vector<Vec<3>> middles = {sum / 4};
+    for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
+    for (const Vec<3>& middle : middles) {
+        const SolidHit hit = solid().hit(ray(onScreen(middle)));
+        if (hit.cell == cell) return hit.point;
     }
-    return points;
+    return {};
+}
+
+std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
+    const Points<3>& pose = solid().picture().pose;
+    const bool asks = vertices.size() <= kMostRays;
+    std::vector<VertexMark> marks;
+    for (const int v : vertices) {
+        if (v >= pose.cols()) continue;
+        const Vec<3> at = solid().placeOf(v);
+        if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden({}, pose.col(v))});
+    }
+    return marks;
 }
 
 }  // namespace wend

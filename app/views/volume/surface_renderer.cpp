@@ -172,11 +172,6 @@ void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
     triangles.uv.allocate(mesh.uv.data(), static_cast<int>(mesh.uv.size() * sizeof(mesh.uv[0])));
 }
 
-void SurfaceRenderer::clear(Layer layer) {
-    m_layers[layer].count = 0;
-    m_layers[layer].parts.clear();
-}
-
 void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals) {
     if (layer == Outer && points.cols() > 0) {
         const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();

@@ -70,7 +70,6 @@ class SurfaceRenderer {
 
     /// Sets triangles, creases and texture points, once for each surface. Its pose must be set afterwards.
     void setMesh(Layer layer, const DrawMesh& mesh);
-    void clear(Layer layer);
     /// Positions of the mesh's points; also normals, unless all faces are flat.
     void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
     /// Sets one colour per triangle.

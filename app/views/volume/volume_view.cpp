@@ -8,7 +8,9 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QWheelEvent>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace wend {
 
@@ -18,6 +20,13 @@ constexpr int kSamples = 4;                     // of a pixel, where edges are s
 constexpr double kSlow = 16, kQuickEnough = 3;  // milliseconds of a drawing by the processor
 constexpr int kEasy = 600'000;                  // pixels that are always drawn
 constexpr int kRestAfter = 160;                 // milliseconds without motion
+
+QSurfaceFormat glFormat() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    return format;
+}
 
 /// Makes the buffer anew if it has another size: that of the view's buffer changes without a resize on
 /// another screen. Returns false if memory is insufficient.
@@ -46,9 +55,7 @@ void putTile(QImage& image, const QPoint& at, const QImage& tile) {
 }  // namespace
 
 VolumeView::VolumeView(QWidget* parent) : QOpenGLWidget(parent) {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat format = glFormat();
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);
     setFormat(format);
@@ -81,10 +88,7 @@ void VolumeView::releaseGl() {
 
 bool VolumeView::available() {
     QOpenGLContext context;
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    context.setFormat(format);
+    context.setFormat(glFormat());
     return context.create() && context.format().version() >= qMakePair(3, 3);
 }
 
@@ -116,6 +120,11 @@ void VolumeView::fit() {
     emit cameraChanged();
 }
 
+void VolumeView::setCamera(const Camera& camera) {
+    m_camera = camera;
+    emit cameraChanged();
+}
+
 void VolumeView::look(Camera::Axis axis) {
     m_camera.look(axis);
     emit cameraChanged();
@@ -130,22 +139,21 @@ SolidHit VolumeView::pick(const QPointF& pixel) const {
     return m_solid.hit(m_camera.ray(pixelOf(pixel), size()));
 }
 
-/// A vertex of the surface is met by the ray itself, up to rounding.
-bool VolumeView::isCovered(const Vec<3>& vertex) const {
-    const Ray sight = m_camera.ray(m_camera.project(vertex, size()).head<2>(), size());
-    const SolidHit hit = m_solid.hit(sight);
-    return hit.cell >= 0 &&
-           (hit.point - sight.origin).norm() < (vertex - sight.origin).dot(sight.direction) * (1 - 1e-4);
-}
-
 std::vector<int> VolumeView::verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                            bool visibleOnly) const {
     const Points<3>& pose = m_solid.picture().pose;
+    const auto isCovered = [this](const Vec<3>& p, const Vec<3>& screen) {
+        const Ray sight = m_camera.ray(screen.head<2>(), size());
+        const SolidHit hit = m_solid.hit(sight);
+        // A vertex of the surface is met by the ray itself, up to rounding.
+        return hit.cell >= 0 &&
+               (hit.point - sight.origin).norm() < (p - sight.origin).dot(sight.direction) * (1 - 1e-4);
+    };
     std::vector<int> found;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) {
         const Vec<3> p = pose.col(v), screen = m_camera.project(p, size());
         if (std::abs(screen.z()) > 1 || m_solid.isCutOff(p) || !inside({screen.x(), screen.y()})) continue;
-        if (!visibleOnly || !isCovered(p)) found.push_back(static_cast<int>(v));
+        if (!visibleOnly || !isCovered(p, screen)) found.push_back(static_cast<int>(v));
     }
     return found;
 }
@@ -263,30 +271,19 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
-    const bool opposite = event->modifiers() & Qt::ControlModifier;
     using Axis = Camera::Axis;
-    switch (event->key()) {
-        case Qt::Key_1:
-            look(opposite ? Axis::Back : Axis::Front);
-            break;
-        case Qt::Key_3:
-            look(opposite ? Axis::Left : Axis::Right);
-            break;
-        case Qt::Key_7:
-            look(opposite ? Axis::Bottom : Axis::Top);
-            break;
-        case Qt::Key_5:
-            setOrthographic(!m_camera.orthographic());
-            break;
-        case Qt::Key_0:
-            look(Axis::Isometric);
-            break;
-        case Qt::Key_F:
-            fit();
-            break;
-        default:
-            QOpenGLWidget::keyPressEvent(event);
-    }
+    static const std::map<int, std::array<Axis, 2>> kAxes = {{Qt::Key_1, {Axis::Front, Axis::Back}},
+                                                             {Qt::Key_3, {Axis::Right, Axis::Left}},
+                                                             {Qt::Key_7, {Axis::Top, Axis::Bottom}},
+                                                             {Qt::Key_0, {Axis::Isometric, Axis::Isometric}}};
+    if (const auto axes = kAxes.find(event->key()); axes != kAxes.end())
+        look(axes->second[event->modifiers() & Qt::ControlModifier ? 1 : 0]);
+    else if (event->key() == Qt::Key_5)
+        setOrthographic(!m_camera.orthographic());
+    else if (event->key() == Qt::Key_F)
+        fit();
+    else
+        QOpenGLWidget::keyPressEvent(event);
 }
 
 // --- The view of a solid as a picture of any size ---

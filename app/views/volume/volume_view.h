@@ -30,9 +30,11 @@ class VolumeView : public QOpenGLWidget {
     void setPicture(VolumePicture picture, bool fitView);
     void setStyle(const SurfaceStyle& style);
     void setCut(CutKind kind, const CutPlane& plane);
-    void setPreset(NavigationPreset preset) { m_navigation.setPreset(preset); }
     Camera& camera() { return m_camera; }
     const Camera& camera() const { return m_camera; }
+    void setCamera(const Camera& camera);
+    Navigation& navigation() { return m_navigation; }
+    const Navigation& navigation() const { return m_navigation; }
     void setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled = {});
     /// The view as a picture of any size, drawn in tiles where it is larger than the renderer can; the
     /// background may be left transparent. Null if the memory does not suffice.
@@ -55,7 +57,10 @@ class VolumeView : public QOpenGLWidget {
     const FrameTimes& lastFrame() const { return m_times; }
     /// Returns whether the last drawing is current and of full quality.
     bool isSettled() const;
+    /// Shows fitted(), and rotates around the middle of the solid from then on.
     void fit();
+    /// Returns the points that fit() shows: all drawn ones.
+    virtual Points<3> fitted() const { return m_solid.points(); }
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
 
@@ -79,19 +84,12 @@ class VolumeView : public QOpenGLWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-
-    Navigation& navigation() { return m_navigation; }
-    const Navigation& navigation() const { return m_navigation; }
     void setBackground(const QColor& colour) { m_background = colour; }
-
-    /// Returns the points that fit() shows: all drawn ones. The view rotates around the middle of the solid.
-    virtual Points<3> fitted() const { return m_solid.points(); }
     /// Returns whether the content will change again soon.
     virtual bool isMoving() const { return m_rest.isActive(); }
 
   private:
     void releaseGl();
-    bool isCovered(const Vec<3>& vertex) const;
     /// The inputs of a painting besides the uploaded data.
     struct Scene {
         Sight sight;

@@ -14,7 +14,7 @@
 
 #include "app/base/in_background.h"
 #include "app/session/shape_session.h"
-#include "app/views/volume/solid_canvas.h"
+#include "app/views/volume/solid_overlay.h"
 #include "core/base/error.h"
 #include "core/base/safe_file.h"
 #include "warp/film.h"
@@ -36,7 +36,7 @@ void paintMarks(QImage& rows, int top, SolidCanvas& canvas, const PictureChoice&
     painter.scale(scale, scale);
     if (choice.legend) canvas.viewport().paintLegend(painter, (QSizeF(choice.size) / scale).toSize());
     painter.translate((choice.size.width() / scale - canvas.width()) / 2, 0);
-    if (choice.marks) canvas.paintMarks(painter);
+    if (choice.marks) canvas.overlay().paintMarks(painter);
 }
 
 QImage viewRows(SolidCanvas& canvas, const PictureChoice& choice, int top, int rows) {

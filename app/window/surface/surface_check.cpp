@@ -174,7 +174,7 @@ void SurfaceCheck::preview() {
     using SkinPtr = std::shared_ptr<const Skin>;
     const auto read = [path]() -> SkinPtr { return std::make_shared<const Skin>(readSkin(path)); };
     m_reading.ask(read, [this](const Answer<SkinPtr>& skin) {
-        if (skin.value && m_canvas) m_canvas->showPreview(skin.value);
+        if (skin.value && m_canvas) m_canvas->showPreview(*skin.value);
     });
 }
 
@@ -333,10 +333,10 @@ void SurfaceCheck::showPlace(bool fromNear) {
     const Points<3> place = surroundingsOf(surface, chosen);
     VolumePicture marked = picture(notBefore(surface, place, direction), chosen, m_fix.get());
     m_canvas->setCutKind(CutKind::None);
-    if (fromNear)
-        m_canvas->showPlace(std::move(marked), direction, place);
-    else
-        m_canvas->showRefused(std::move(marked), direction);
+    if (!fromNear) return m_canvas->showRefused(std::move(marked), direction);
+    m_canvas->setPicture(std::move(marked), false);
+    m_canvas->camera().lookAlong(direction);
+    m_canvas->viewpoint().zoomTo(place);
 }
 
 /// Previews the fix in the current view once it is known, and ends the preview.
@@ -350,15 +350,20 @@ void SurfaceCheck::showFixOfAll(bool shown) {
     else if (m_isPlaceShown)
         showPlace(false);
     else if (!shown)
-        m_isCaged ? m_canvas->showSolid() : showSurface();
+        m_isCaged ? showCaged() : showSurface();
+}
+
+void SurfaceCheck::showCaged() {
+    m_canvas->showLooks();
+    m_canvas->fit();
 }
 
 void SurfaceCheck::showSolid() {
     if (!m_canvas) return;
     m_isPlaceShown = false;
-    if (m_isCaged) return m_canvas->showSolid();
+    if (m_isCaged) return showCaged();
     showSurface();
-    m_canvas->lookAlong(directionToWrong());
+    m_canvas->viewpoint().lookAlong(directionToWrong());
 }
 
 void SurfaceCheck::saveList() {

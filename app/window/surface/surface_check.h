@@ -75,6 +75,7 @@ class SurfaceCheck : public QObject {
     void fixAll();
     void showFixOfAll(bool shown);
     void showSolid();
+    void showCaged();
     void fitCage(bool cage);
     void saveList();
     void repair(int largestHole);

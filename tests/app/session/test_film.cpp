@@ -11,6 +11,7 @@
 #include "app/project/domain.h"
 #include "app/project/edits/timing_edits.h"
 #include "app/views/shape/shape_painter.h"
+#include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"
@@ -765,7 +766,7 @@ void TestFilm::onionSkinOfASolid() {
         QImage image(canvas.size(), QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::white);
         QPainter painter(&image);
-        canvas.paintMarks(painter);
+        canvas.overlay().paintMarks(painter);
         return image;
     };
     const QImage without = marks();

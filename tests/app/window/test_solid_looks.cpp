@@ -8,7 +8,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/surface_panel.h"
 #include "app/tools/pins/pin_picking.h"
-#include "app/views/volume/solid_canvas.h"
+#include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/actions.h"
 #include "app/window/actions/look_choices.h"
 #include "app/window/actions/toolbox.h"
@@ -311,7 +311,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
         image.fill(Qt::transparent);
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
-        canvas().paintMarks(painter);
+        canvas().overlay().paintMarks(painter);
         return image;
     };
     const auto reach = [&](const QPointF& at) {
@@ -476,7 +476,7 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     canvas().setCutKind(CutKind::WholeCells);
     canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
     const auto touched = canvas().touch(canvas().toWidget({0.2, 0.1, 0.1}));
-    QVERIFY(touched && !canvas().SolidCanvas::isHidden(touched->point));
+    QVERIFY(touched && !canvas().isHidden(touched->place, touched->point));
 }
 
 /// Also while the pointer rests.

@@ -22,7 +22,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/tools/measure_tool.h"
-#include "app/views/volume/solid_canvas.h"
+#include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/export/exporter.h"
 #include "app/window/main_window.h"
@@ -115,7 +115,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
         if (button->text() == QStringLiteral("See Why")) QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(panel->isVisible() && m_f->window().tools().mode() == Mode::Mesh);
     settleLayout(*panel);
-    QVERIFY(m_f->canvas().hasDetail());
+    QVERIFY(m_f->canvas().solidLook().hasDetail());
     const double before = m_f->canvas().camera().pixelSize(m_f->canvas().size());
     press(QStringLiteral("Show them"));  // the hole is looked at from near
     m_f->picture(QStringLiteral("hole-in-cage"));
@@ -218,7 +218,7 @@ bool TestSurfaceWindow::axesAreSeen() {
     QImage over(m_f->canvas().size(), QImage::Format_ARGB32_Premultiplied);
     over.fill(Qt::transparent);
     QPainter painter(&over);
-    m_f->canvas().paintOver(painter);
+    m_f->canvas().overlay().paintMarks(painter);
     painter.end();
     return qAlpha(over.pixel(46, over.height() - 46)) > 0;
 }
