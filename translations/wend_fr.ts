@@ -5655,7 +5655,7 @@
     </message>
     <message>
         <source>Finer and coarser</source>
-        <translation>Plus fin et plus grossier</translation>
+        <translation>Plus fin ou grossier</translation>
     </message>
     <message>
         <source>Aim at a volume</source>
@@ -6891,7 +6891,7 @@
     </message>
     <message>
         <source>Finer and coarser</source>
-        <translation>Plus fin et plus grossier</translation>
+        <translation>Plus fin ou grossier</translation>
     </message>
     <message>
         <source>In front and behind</source>
