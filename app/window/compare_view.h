@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/session/shape_session.h"
-#include "app/views/volume/plain_view.h"
+#include "app/views/volume/solid_look.h"
 
 class QComboBox;
 class QLabel;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/tools/tool.h"
-#include "app/views/volume/plain_view.h"
+#include "app/views/volume/solid_look.h"
 #include "app/window/actions/solid_actions.h"
 #include "app/window/export/picture_dialog.h"
 

@@ -78,6 +78,9 @@ class Viewport : public QObject {
     void paintPins(ShapePainter& painter) const;
     /// Brings the worst place of the map's measure into the middle.
     void showWorst();
+    /// Returns the view as tools see it, and its widget.
+    ShapeView& shape() const { return m_shape; }
+    QWidget& widget() const { return m_widget; }
     Theme theme() const { return Theme::of(m_widget.palette()); }
 
   signals:

@@ -10,6 +10,7 @@
 #include "app/style/colours.h"
 #include "app/style/smooth_map.h"
 #include "app/views/volume/glyphs.h"
+#include "app/views/volume/solid_canvas.h"
 
 namespace wend {
 
@@ -47,7 +48,8 @@ SolidPaint paintOf(const ShapeFrame& frame, const std::vector<QRgb>& ofCells,
 bool SolidLook::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;
     return skin && frame.built->embedding &&
-           (frame.built->cage || !m_document.domain().detail.empty() || hasOwnColours(*skin));
+           (frame.built->cage || !m_viewport.shape().session().document().domain().detail.empty() ||
+            hasOwnColours(*skin));
 }
 
 QRgb SolidLook::plainColour() const {
@@ -107,7 +109,7 @@ void SolidLook::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
     if (isPainted(measure)) return addPaint(picture, frame);
     const auto own = [&](QRgb map) { return m_viewport.isDimmed() ? dimmed(map) : map; };
-    const auto values = cellValues(frame, measure, fieldOf(m_motion, measure));
+    const auto values = cellValues(frame, measure, fieldOf(motion(), measure));
     picture.section.reset();
     picture.materials = picture.materials && hasOwnColours(*picture.skin);
     picture.cellColours.clear();
@@ -125,7 +127,7 @@ void SolidLook::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const
 /// Adds paint; other places keep their own colours.
 void SolidLook::addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const {
     const auto& [measure, range, opacity, smooth] = m_viewport.looks().colours;
-    const auto plain = plainValue(m_motion, measure);
+    const auto plain = plainValue(motion(), measure);
     const double plainPlace = plain ? positionIn(range, measure, *plain) : 0;
     const auto values = cellValues(frame, measure);
     std::vector<QRgb> colours;
@@ -145,7 +147,7 @@ std::pair<std::vector<DrawVertex>, std::vector<DrawVertex>> SolidLook::glyphs(co
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
     if (looks.arrows && !looks.hidden)
-        triangles = velocityArrows(frame, m_motion.velocity(), solid.surface(),
+        triangles = velocityArrows(frame, motion().velocity(), solid.surface(),
                                    isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, solid.surface(), kGlyphColour);
@@ -156,6 +158,20 @@ std::pair<std::vector<DrawVertex>, std::vector<DrawVertex>> SolidLook::glyphs(co
         for (auto* list : {&triangles, &ellipsoids}) list->insert(list->end(), faulty.begin(), faulty.end());
     }
     return {std::move(triangles), std::move(ellipsoids)};
+}
+
+QImage PlainView::draw(const SolidCanvas& like, const PosedFrame<3>& frame, const QSize& size) {
+    if (!m_view) {
+        m_view = new VolumeView(like.parentWidget());
+        m_view->hide();
+    }
+    m_view->setStyle(like.solidLook().plainStyle());
+    m_view->setPicture(like.solidLook().plainPicture(frame), false);
+    m_view->resize(size);
+    m_view->camera() = like.camera();
+    m_view->fit();
+    if (!m_view->obstacle().isEmpty()) m_view->grabFramebuffer();  // the first time: makes its context
+    return m_view->picture(size, true);
 }
 
 }  // namespace wend

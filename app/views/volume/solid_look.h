@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QPointer>
+
 #include "app/engine/motion/frame.h"
 #include "app/engine/shape/pose_faults.h"
 #include "app/views/shape/viewport.h"
@@ -7,18 +9,20 @@
 
 namespace wend {
 
+class SolidCanvas;
+class VolumeView;
+
 /// How the frames of a solid look in a view, by its looks: their colours, those of a map or paint, and
 /// glyphs.
 class SolidLook {
   public:
-    SolidLook(const Viewport& viewport, const ShapeMotion& motion, const Document& document)
-        : m_viewport(viewport), m_motion(motion), m_document(document) {}
+    explicit SolidLook(const Viewport& viewport) : m_viewport(viewport) {}
 
     /// Returns whether a frame has a detailed surface, or one with materials.
     bool hasDetail(const PosedFrame<3>& frame) const;
     /// Returns the same of the session's frame.
     bool hasDetail() const {
-        const auto frame = m_motion.frame<3>();
+        const auto frame = motion().frame<3>();
         return frame && hasDetail(*frame);
     }
     VolumePicture picture(const PosedFrame<3>& frame) const;
@@ -39,14 +43,23 @@ class SolidLook {
     }
 
   private:
+    const ShapeMotion& motion() const { return m_viewport.shape().session().motion(); }
     bool isOnDark() const { return ground().lightnessF() < 0.5; }
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const;
 
     const Viewport& m_viewport;
-    const ShapeMotion& m_motion;
-    const Document& m_document;
     std::shared_ptr<const PoseFaults<3>> m_faults;
+};
+
+/// Draws a whole solid from a canvas's viewpoint without map, cut, edges and marks, in a hidden widget.
+class PlainView {
+  public:
+    /// `size`: in pixels. Null where OpenGL gives none.
+    QImage draw(const SolidCanvas& like, const PosedFrame<3>& frame, const QSize& size);
+
+  private:
+    QPointer<VolumeView> m_view;
 };
 
 }  // namespace wend

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/engine/motion/frame.h"
-#include "app/views/volume/plain_view.h"
+#include "app/views/volume/solid_look.h"
 
 namespace wend {
 
