@@ -5,7 +5,6 @@
 #include "app/panels/fields/number_boxes.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
-#include "app/panels/region_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/material_edits.h"
