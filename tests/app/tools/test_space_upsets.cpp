@@ -217,7 +217,7 @@ void TestSpaceUpsets::framesLeaveWhatIsTyped() {
         box->selectAll();
         QTest::keyClicks(box, QStringLiteral("1.2"));
         const QString typed = box->text();
-        emit m_f->session().frameChanged();
+        emit m_f->session().motion().frameChanged();
         const bool kept = box->text() == typed;
         QTest::keyClick(box, Qt::Key_Return);
         return kept && std::abs(box->value() - 1.2) < 1e-12;
