@@ -12,7 +12,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/stiffness_fields.h"
-#include "app/panels/layer_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/file/named_files.h"
 

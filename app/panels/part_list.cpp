@@ -13,7 +13,7 @@
 #include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/panels/part_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/edits/part_edits.h"
 #include "app/session/shape_motion.h"

@@ -11,7 +11,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/region_numbers.h"
-#include "app/panels/layer_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/layer_edits.h"
