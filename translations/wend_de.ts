@@ -3865,37 +3865,6 @@
     </message>
 </context>
 <context>
-    <name>wend::DetailRow</name>
-    <message>
-        <source>Choose…</source>
-        <translation>Wählen …</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
-        <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
-    </message>
-    <message>
-        <source>Shows and exports the solid with its own surface again.</source>
-        <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
-    </message>
-    <message>
-        <source>Choose skin</source>
-        <translation>Haut wählen</translation>
-    </message>
-    <message>
-        <source>Remove skin</source>
-        <translation>Haut entfernen</translation>
-    </message>
-    <message>
-        <source>Skin</source>
-        <translation>Haut</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Angle error</source>
@@ -3968,10 +3937,6 @@
     <message>
         <source>Smooth colo&amp;urs</source>
         <translation>Glatte Far&amp;ben</translation>
-    </message>
-    <message>
-        <source>Smooth colours</source>
-        <translation>Glatte Farben</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -5708,6 +5673,34 @@
     <message>
         <source>All parts</source>
         <translation>Alle Teile</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
+        <translation>Nimmt eine feine, vielleicht texturierte Oberfläche aus einer Datei: Sie reitet im Körper mit, die Ansicht zeigt sie, und Flächenformate erhalten sie.</translation>
+    </message>
+    <message>
+        <source>Shows and exports the solid with its own surface again.</source>
+        <translation>Der Körper wird wieder mit seiner eigenen Oberfläche gezeigt und exportiert.</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Haut wählen</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Haut entfernen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
     </message>
 </context>
 <context>

@@ -3865,37 +3865,6 @@
     </message>
 </context>
 <context>
-    <name>wend::DetailRow</name>
-    <message>
-        <source>Choose…</source>
-        <translation>Elegir…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Eliminar</translation>
-    </message>
-    <message>
-        <source>Choose skin</source>
-        <translation>Elegir piel</translation>
-    </message>
-    <message>
-        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
-        <translation>Toma de un archivo una superficie detallada, quizá con texturas: sigue al sólido, es lo que muestra la vista y lo que reciben los formatos de superficie.</translation>
-    </message>
-    <message>
-        <source>Remove skin</source>
-        <translation>Eliminar piel</translation>
-    </message>
-    <message>
-        <source>Shows and exports the solid with its own surface again.</source>
-        <translation>El sólido vuelve a mostrarse y exportarse con su propia superficie.</translation>
-    </message>
-    <message>
-        <source>Skin</source>
-        <translation>Piel</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Go to the worst place</source>
@@ -3968,10 +3937,6 @@
     <message>
         <source>Smooth colo&amp;urs</source>
         <translation>Colores s&amp;uaves</translation>
-    </message>
-    <message>
-        <source>Smooth colours</source>
-        <translation>Colores suaves</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -5708,6 +5673,34 @@
     <message>
         <source>All parts</source>
         <translation>Todas las partes</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Elegir piel</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
+        <translation>Toma de un archivo una superficie detallada, quizá con texturas: sigue al sólido, es lo que muestra la vista y lo que reciben los formatos de superficie.</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Eliminar piel</translation>
+    </message>
+    <message>
+        <source>Shows and exports the solid with its own surface again.</source>
+        <translation>El sólido vuelve a mostrarse y exportarse con su propia superficie.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Piel</translation>
     </message>
 </context>
 <context>

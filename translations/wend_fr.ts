@@ -3865,37 +3865,6 @@
     </message>
 </context>
 <context>
-    <name>wend::DetailRow</name>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Choose skin</source>
-        <translation>Choisir une peau</translation>
-    </message>
-    <message>
-        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
-        <translation>Prend dans un fichier une surface détaillée, éventuellement texturée&#x202f;: elle suit le solide, c’est elle que montre la vue et que reçoivent les formats de surface.</translation>
-    </message>
-    <message>
-        <source>Remove skin</source>
-        <translation>Supprimer la peau</translation>
-    </message>
-    <message>
-        <source>Shows and exports the solid with its own surface again.</source>
-        <translation>Le solide est de nouveau affiché et exporté avec sa propre surface.</translation>
-    </message>
-    <message>
-        <source>Skin</source>
-        <translation>Peau</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Go to the worst place</source>
@@ -3968,10 +3937,6 @@
     <message>
         <source>Smooth colo&amp;urs</source>
         <translation>Couleurs liss&amp;es</translation>
-    </message>
-    <message>
-        <source>Smooth colours</source>
-        <translation>Couleurs lissées</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -5708,6 +5673,34 @@
     <message>
         <source>All parts</source>
         <translation>Toutes les parties</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>Choisir une peau</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
+        <translation>Prend dans un fichier une surface détaillée, éventuellement texturée&#x202f;: elle suit le solide, c’est elle que montre la vue et que reçoivent les formats de surface.</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>Supprimer la peau</translation>
+    </message>
+    <message>
+        <source>Shows and exports the solid with its own surface again.</source>
+        <translation>Le solide est de nouveau affiché et exporté avec sa propre surface.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
     </message>
 </context>
 <context>

@@ -3864,37 +3864,6 @@
     </message>
 </context>
 <context>
-    <name>wend::DetailRow</name>
-    <message>
-        <source>Choose…</source>
-        <translation>選択…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>削除</translation>
-    </message>
-    <message>
-        <source>Choose skin</source>
-        <translation>スキンを選択</translation>
-    </message>
-    <message>
-        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
-        <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込みます。ソリッドに追従し、ビューに表示され、サーフェス形式で書き出されます。</translation>
-    </message>
-    <message>
-        <source>Remove skin</source>
-        <translation>スキンを削除</translation>
-    </message>
-    <message>
-        <source>Shows and exports the solid with its own surface again.</source>
-        <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します。</translation>
-    </message>
-    <message>
-        <source>Skin</source>
-        <translation>スキン</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Go to the worst place</source>
@@ -3967,10 +3936,6 @@
     <message>
         <source>Smooth colo&amp;urs</source>
         <translation>滑らかな色(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Smooth colours</source>
-        <translation>滑らかな色</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -5698,6 +5663,34 @@
     <message>
         <source>All parts</source>
         <translation>すべてのパーツ</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>スキンを選択</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
+        <translation>テクスチャ付きも可能な精細なサーフェスをファイルから読み込みます。ソリッドに追従し、ビューに表示され、サーフェス形式で書き出されます。</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>スキンを削除</translation>
+    </message>
+    <message>
+        <source>Shows and exports the solid with its own surface again.</source>
+        <translation>ソリッドの表示と書き出しを、元のサーフェスに戻します。</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>スキン</translation>
     </message>
 </context>
 <context>

@@ -3864,37 +3864,6 @@
     </message>
 </context>
 <context>
-    <name>wend::DetailRow</name>
-    <message>
-        <source>Choose…</source>
-        <translation>选择…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>移除</translation>
-    </message>
-    <message>
-        <source>Choose skin</source>
-        <translation>选择蒙皮</translation>
-    </message>
-    <message>
-        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
-        <translation>从文件载入精细的、可带纹理的表面：它随实体变形，显示在视图中，并写入各种表面格式。</translation>
-    </message>
-    <message>
-        <source>Remove skin</source>
-        <translation>移除蒙皮</translation>
-    </message>
-    <message>
-        <source>Shows and exports the solid with its own surface again.</source>
-        <translation>重新以实体自身的表面显示和导出。</translation>
-    </message>
-    <message>
-        <source>Skin</source>
-        <translation>蒙皮</translation>
-    </message>
-</context>
-<context>
     <name>wend::DistortionPanel</name>
     <message>
         <source>Go to the worst place</source>
@@ -3967,10 +3936,6 @@
     <message>
         <source>Smooth colo&amp;urs</source>
         <translation>平滑颜色(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Smooth colours</source>
-        <translation>平滑颜色</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -5698,6 +5663,34 @@
     <message>
         <source>All parts</source>
         <translation>所有部件</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Choose skin</source>
+        <translation>选择蒙皮</translation>
+    </message>
+    <message>
+        <source>Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view shows it, and surface formats contain it.</source>
+        <translation>从文件载入精细的、可带纹理的表面：它随实体变形，显示在视图中，并写入各种表面格式。</translation>
+    </message>
+    <message>
+        <source>Remove skin</source>
+        <translation>移除蒙皮</translation>
+    </message>
+    <message>
+        <source>Shows and exports the solid with its own surface again.</source>
+        <translation>重新以实体自身的表面显示和导出。</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>蒙皮</translation>
     </message>
 </context>
 <context>

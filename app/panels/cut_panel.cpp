@@ -1,12 +1,10 @@
 #include "app/panels/cut_panel.h"
 
 #include <Eigen/Geometry>
-#include <QComboBox>
-#include <QToolButton>
 #include <cmath>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 
 namespace wend {
@@ -19,47 +17,41 @@ constexpr int kHeightSteps = 1000;
 
 CutPanel::CutPanel(QWidget* parent)
     : QWidget(parent),
-      m_kind(new QComboBox(this)),
+      m_kind(choiceBox(this, "", {}, {}, {tr("Not cut"), tr("Whole cells"), tr("Exact")},
+                       &CutPanel::kindChosen)),
       m_slider(new JumpSlider(this)),
-      m_place(new ExactBox(this)),
+      m_place(numberBox(this, "", tr("Distance of the cut"),
+                        tr("How far the plane is from the origin, along its normal."), {-1e9, 1e9, 4},
+                        &CutPanel::chooseNumbers)),
       m_numbers(new QWidget(this)) {
     makeControls();
     arrange();
     showNothing();
-    connect(m_kind, &QComboBox::activated, this, &CutPanel::kindChosen);
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
         CutPlane plane = m_plane;
         const double height = minimum() + (maximum() - minimum()) * value / kHeightSteps;
         plane.point += (height - plane.normal.dot(plane.point)) * plane.normal;
         emit planeChosen(plane);
     });
-    for (ExactBox* box : {m_normal[0], m_normal[1], m_normal[2], m_place})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &CutPanel::chooseNumbers);
+    whenChanged(m_normal, this, &CutPanel::chooseNumbers);
 }
 
 void CutPanel::makeControls() {
-    m_kind->addItems({tr("Not cut"), tr("Whole cells"), tr("Exact")});
     fitToEntries(m_kind, 150);
     const std::array<QString, 4> names = {tr("X"), tr("Y"), tr("Z"), tr("Flip")};
     for (int k = 0; k < 4; ++k) {
-        m_ways[k] = new QToolButton(this);
-        m_ways[k]->setText(names[k]);
-        m_ways[k]->setProperty("role", "chip");
-        describe(m_ways[k], k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"),
-                 k < 3 ? tr("Turns the plane so that it is perpendicular to this axis.")
-                       : tr("Cuts away the other side of the plane."));
-        connect(m_ways[k], &QToolButton::clicked, this,
-                [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); });
+        m_ways[k] = chip(
+            this, "", names[k],
+            k < 3 ? tr("Turns the plane so that it is perpendicular to this axis.")
+                  : tr("Cuts away the other side of the plane."),
+            [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); },
+            k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"));
     }
     m_slider->setRange(0, kHeightSteps);
     describe(m_slider, tr("Place of the cut"), tr("Moves the plane through the solid."));
     m_normal = coordinateBoxes(1, 3, tr("Normal of the cut"),
                                tr("The direction that the plane faces, as x, y and z."), this);
     for (ExactBox* box : m_normal) box->setSingleStep(0.05);
-    m_place->setDecimals(4);
-    m_place->setRange(-1e9, 1e9);
-    describe(m_place, tr("Distance of the cut"),
-             tr("How far the plane is from the origin, along its normal."));
 }
 
 void CutPanel::arrange() {

@@ -1,17 +1,15 @@
 #include "app/panels/distortion_panel.h"
 
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLocale>
-#include <QToolButton>
 #include <algorithm>
 
+#include "app/base/connect_each.h"
 #include "app/base/preferences.h"
 #include "app/engine/shape/shape.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/session/calm_follower.h"
@@ -32,9 +30,8 @@ PoseWatch::PoseWatch(ShapeMotion& motion, Playback& playback, QObject* parent)
     m_due.setSingleShot(true);
     m_due.setInterval(kPoseRest);
     connect(&m_due, &QTimer::timeout, this, &PoseWatch::look);
-    connect(&motion, &ShapeMotion::frameChanged, this, &PoseWatch::takeFrame);
-    connect(&motion, &ShapeMotion::busyChanged, this, &PoseWatch::takeFrame);
-    connect(&playback, &Playback::playingChanged, this, &PoseWatch::takeFrame);
+    connectEach(this, &PoseWatch::takeFrame, &motion, &ShapeMotion::frameChanged, &motion,
+                &ShapeMotion::busyChanged, &playback, &Playback::playingChanged);
     takeFrame();
 }
 
@@ -81,36 +78,23 @@ DistortionPanel::DistortionPanel(ShapeMotion& motion, Playback& playback, QWidge
       m_keep(new QAction(tr("Lock the scale"), this)),
       m_lock(new QToolButton(this)),
       m_details(new QWidget(this)),
-      m_smooth(new QCheckBox(tr("Smooth colo&urs"), m_details)),
-      m_low(new ExactBox(m_details)),
-      m_high(new ExactBox(m_details)),
-      m_logarithmic(new QCheckBox(tr("Logarithmic"), m_details)),
       m_angle(new QLabel(m_details)),
       m_area(new QLabel(m_details)),
       m_length(new QLabel(m_details)),
       m_worst(new QLabel(m_details)),
       m_pinError(new QLabel(m_details)),
       m_time(new QLabel(m_details)),
-      m_find(new QToolButton(this)),
-      m_watch(motion, playback),
-      m_crossings(new QToolButton(m_details)),
-      m_blown(new QToolButton(m_details)) {
-    m_crossings->setObjectName(QStringLiteral("crossings"));
-    m_blown->setObjectName(QStringLiteral("blownUp"));
+      m_find(chip(this, "", tr("Go to the worst place"),
+                  tr("Brings the most distorted triangle into view; it is ringed in the overlay."),
+                  &DistortionPanel::showWorst)),
+      m_watch(motion, playback) {
     m_worst->setObjectName(QStringLiteral("worstPlace"));
     makeControls();
+    makeDetails();
     arrange();
     setDimension(2);
     new CalmFollower(
         m_motion, this, [this] { takeFrame(); }, &m_motion, &ShapeMotion::frameChanged);
-    for (ExactBox* box : {m_low, m_high})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &DistortionPanel::chooseRange);
-    connect(m_logarithmic, &QCheckBox::toggled, this, [this] {
-        m_range.logarithmic = m_logarithmic->isChecked();
-        fitLogarithm(shownValues(m_motion, measure()));
-        takeFrame();
-        emit mapChanged();
-    });
     connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
         const QSignalBlocker quiet(m_logarithmic);
         m_logarithmic->setChecked(false);
@@ -124,13 +108,6 @@ DistortionPanel::DistortionPanel(ShapeMotion& motion, Playback& playback, QWidge
         preferences::mapOpacity.set(percent);
         emit opacityChanged(opacity());
     });
-    connect(m_smooth, &QCheckBox::toggled, this, [this](bool on) {
-        preferences::mapSmooth.set(on);
-        emit smoothChanged(on);
-    });
-    connect(m_find, &QToolButton::clicked, this, &DistortionPanel::showWorst);
-    connect(m_crossings, &QToolButton::clicked, this, [this] { goOn(m_nextCrossed, m_crossed); });
-    connect(m_blown, &QToolButton::clicked, this, [this] { goOn(m_nextGrown, m_grown); });
     connect(&m_watch, &PoseWatch::changed, this, [this] {
         showFaults();
         emit faultsChanged();
@@ -148,43 +125,51 @@ void DistortionPanel::makeControls() {
     m_opacity->setValue(preferences::mapOpacity.value());
     describe(m_opacity, tr("Opacity"),
              tr("How much the overlay covers the picture, or the colours of the solid, below it."));
-    m_smooth->setObjectName(QStringLiteral("mapSmooth"));
-    m_smooth->setChecked(preferences::mapSmooth.value());
-    describe(
-        m_smooth, tr("Smooth colours"),
-        tr("Blends the colours of the overlay from cell to cell. If off, each cell has the one colour of its "
-           "value."));
-    m_low->setObjectName(QStringLiteral("mapLow"));
-    m_high->setObjectName(QStringLiteral("mapHigh"));
-    for (ExactBox* box : {m_low, m_high}) {
-        box->setDecimals(4);
-        box->setRange(-1e9, 1e9);
-        box->setSingleStep(0.01);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(56);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    }
-    describe(
-        m_low, tr("Colours from"),
-        tr("The value of the first colour. A typed value locks the scale; “≤” in the legend says that some "
-           "places have less."));
-    describe(
-        m_high, tr("Colours to"),
-        tr("The value of the last colour. A typed value locks the scale; “≥” in the legend says that some "
-           "places have more."));
-    m_logarithmic->setObjectName(QStringLiteral("mapLogarithmic"));
-    describe(m_logarithmic, tr("Logarithmic"),
-             tr("Spreads the colours evenly over the orders of magnitude of the values."));
     m_keep->setCheckable(true);
     m_keep->setStatusTip(tr("Keeps the range of the colours, to compare different shapes and energies."));
     m_lock->setDefaultAction(m_keep);
     m_lock->setToolButtonStyle(Qt::ToolButtonTextOnly);
     describe(m_lock, m_keep->text(), m_keep->statusTip());
     m_keep->setToolTip(m_lock->toolTip());
-    m_find->setText(tr("Go to the worst place"));
-    for (QToolButton* button : {m_lock, m_find, m_crossings, m_blown}) button->setProperty("role", "chip");
-    describe(m_find, tr("Go to the worst place"),
-             tr("Brings the most distorted triangle into view; it is ringed in the overlay."));
+    m_lock->setProperty("role", "chip");
+}
+
+void DistortionPanel::makeDetails() {
+    m_smooth = checkBox(this, "mapSmooth", tr("Smooth colo&urs"),
+                        tr("Blends the colours of the overlay from cell to cell. If off, each cell has the "
+                           "one colour of its "
+                           "value."),
+                        [this](bool on) {
+                            preferences::mapSmooth.set(on);
+                            emit smoothChanged(on);
+                        });
+    m_smooth->setChecked(preferences::mapSmooth.value());
+    const Numbers numbers = {-1e9, 1e9, 4, 0.01};
+    m_low = numberBox(
+        this, "mapLow", tr("Colours from"),
+        tr("The value of the first colour. A typed value locks the scale; “≤” in the legend says that some "
+           "places have less."),
+        numbers, &DistortionPanel::chooseRange);
+    m_high = numberBox(
+        this, "mapHigh", tr("Colours to"),
+        tr("The value of the last colour. A typed value locks the scale; “≥” in the legend says that some "
+           "places have more."),
+        numbers, &DistortionPanel::chooseRange);
+    for (ExactBox* box : {m_low, m_high}) {
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(56);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+    m_logarithmic = checkBox(this, "mapLogarithmic", tr("Logarithmic"),
+                             tr("Spreads the colours evenly over the orders of magnitude of the values."),
+                             [this](bool on) {
+                                 m_range.logarithmic = on;
+                                 fitLogarithm(shownValues(m_motion, measure()));
+                                 takeFrame();
+                                 emit mapChanged();
+                             });
+    m_crossings = chip(this, "crossings", {}, {}, [this] { goOn(m_nextCrossed, m_crossed); });
+    m_blown = chip(this, "blownUp", {}, {}, [this] { goOn(m_nextGrown, m_grown); });
 }
 
 void DistortionPanel::arrange() {

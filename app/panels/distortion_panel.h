@@ -90,6 +90,7 @@ class DistortionPanel : public QWidget {
 
   private:
     void makeControls();
+    void makeDetails();
     void setDimension(int dimension);
     static bool hasPicture(const ShapeFrame& frame);
     void arrange();
@@ -114,9 +115,9 @@ class DistortionPanel : public QWidget {
     QAction* m_keep;
     QToolButton* m_lock;
     QWidget* m_details;
-    QCheckBox* m_smooth;
-    ExactBox *m_low, *m_high;  // the ends of the range
-    QCheckBox* m_logarithmic;
+    QCheckBox* m_smooth = nullptr;
+    ExactBox *m_low = nullptr, *m_high = nullptr;  // the ends of the range
+    QCheckBox* m_logarithmic = nullptr;
     QLabel* m_angle;
     QLabel* m_area;
     QLabel* m_length;
@@ -125,7 +126,7 @@ class DistortionPanel : public QWidget {
     QToolButton* m_find;
     QLabel* m_areaName = nullptr;
     PoseWatch m_watch;
-    QToolButton *m_crossings, *m_blown;  // counts; each click shows the next place
+    QToolButton *m_crossings = nullptr, *m_blown = nullptr;  // counts; each click shows the next place
     QLabel* m_crossingsName = nullptr;
     std::vector<Vec<3>> m_crossed, m_grown;          // their places …
     std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and the index of the next one

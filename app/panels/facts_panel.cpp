@@ -2,13 +2,14 @@
 
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/base/connect_each.h"
 #include "app/engine/shape/inspection.h"
 #include "app/engine/shape/shape.h"
 #include "app/engine/shape/told_units.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/project/domain.h"
@@ -85,9 +86,18 @@ FactsPanel::FactsPanel(Document& document, ShapeMotion& motion, QWidget* parent)
       m_surface(secondLabel({}, this)),
       m_mesh(secondLabel({}, this)),
       m_cage(secondLabel({}, this)),
-      m_worst(new QPushButton(tr("Worst cell"), this)),
-      m_gap(new QPushButton(tr("Next gap"), this)),
-      m_open(new QPushButton(tr("Open the widest"), this)) {
+      m_worst(pushButton(this, "", tr("Worst cell"), tr("Goes to the tetrahedron with the largest ratio."),
+                         [this] {
+                             const auto frame = m_motion.frame<3>();
+                             if (frame && frame->built->verdict)
+                                 emit cellWanted(frame->built->verdict->worstCell);
+                         })),
+      m_gap(pushButton(this, "", tr("Next gap"),
+                       tr("Goes through the gaps that the cage closes, one after another."),
+                       &FactsPanel::goToGap)),
+      m_open(pushButton(this, "", tr("Open the widest"),
+                        tr("Makes the cage so fine that the widest of these gaps stays open."),
+                        &FactsPanel::openGap)) {
     arrange();
     describe(m_surface, tr("Facts of the file"),
              tr("The surface as it is in its file. Lengths are in the file's units, which few files name."));
@@ -96,17 +106,8 @@ FactsPanel::FactsPanel(Document& document, ShapeMotion& motion, QWidget* parent)
                 "above that, and how many triangles of the surface force them."));
     describe(m_cage, tr("Closed gaps"),
              tr("Gaps within one part that the cage closes: what lies on both sides moves together."));
-    describe(m_worst, m_worst->text(), tr("Goes to the tetrahedron with the largest ratio."));
-    describe(m_gap, m_gap->text(), tr("Goes through the gaps that the cage closes, one after another."));
-    describe(m_open, m_open->text(), tr("Makes the cage so fine that the widest of these gaps stays open."));
-    connect(m_worst, &QPushButton::clicked, this, [this] {
-        if (const auto frame = m_motion.frame<3>(); frame && frame->built->verdict)
-            emit cellWanted(frame->built->verdict->worstCell);
-    });
-    connect(m_gap, &QPushButton::clicked, this, &FactsPanel::goToGap);
-    connect(m_open, &QPushButton::clicked, this, &FactsPanel::openGap);
-    connect(&motion, &ShapeMotion::frameChanged, this, &FactsPanel::refresh);
-    connect(&document, &Document::projectChanged, this, &FactsPanel::refresh);
+    connectEach(this, &FactsPanel::refresh, &motion, &ShapeMotion::frameChanged, &document,
+                &Document::projectChanged);
 }
 
 void FactsPanel::arrange() {

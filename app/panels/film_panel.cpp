@@ -1,14 +1,13 @@
 #include "app/panels/film_panel.h"
 
-#include <QCheckBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "app/base/connect_each.h"
 #include "app/base/preferences.h"
-#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/setting_edits.h"
@@ -27,18 +26,24 @@ FilmPanel::FilmPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_rate(new OptionField("time.frameRate", this)),
-      m_cycles(new QCheckBox(tr("Cycle"), this)),
+      m_cycles(checkBox(
+          this, "", tr("Cycle"),
+          tr("The part of the film that repeats, in seconds. A film that is exported as a loop shows it, "
+             "and no picture twice."),
+          [this] { changeCycle({}); })),
       m_from(new ExactBox(this)),
       m_to(new ExactBox(this)),
       m_cycle(new QWidget(this)),
       m_sound(secondLabel({}, this)),
-      m_choose(new QPushButton(tr("Choose…"), this)),
-      m_remove(new QPushButton(tr("Remove"), this)) {
+      m_choose(pushButton(
+          this, "", tr("Choose…"),
+          tr("A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films."),
+          &FilmPanel::chooseSound, tr("Choose sound"))),
+      m_remove(pushButton(
+          this, "", tr("Remove"), tr("The film has no sound then."), [this] { setSound({}); },
+          tr("Remove sound"))) {
     makeCycle();
     m_sound->setObjectName(QStringLiteral("soundFile"));
-    describe(m_choose, tr("Choose sound"),
-             tr("A file whose sound begins with the motion, and goes into MP4, WebM and QuickTime films."));
-    describe(m_remove, tr("Remove sound"), tr("The film has no sound then."));
     auto* column = sectionColumn(this);
     column->addWidget(panelTitle(tr("Film"), this));
     column->addLayout(panelRow(withoutKey(m_rate->label()), m_rate, this));
@@ -46,15 +51,14 @@ FilmPanel::FilmPanel(Document& document, QWidget* parent)
     column->addWidget(m_cycle);
     column->addLayout(sideBySide({secondLabel(tr("Sound"), this), nullptr, m_choose, m_remove}));
     column->addWidget(m_sound);
-    connectAll();
+    connect(m_rate, &OptionField::changed, this,
+            [this] { changeSetting(m_document, "time.frameRate", m_rate->number()); });
+    connectEach(this, &FilmPanel::showProject, &m_document, &Document::projectChanged, &m_document,
+                &Document::opened);
     showProject();
 }
 
 void FilmPanel::makeCycle() {
-    describe(
-        m_cycles, tr("Cycle"),
-        tr("The part of the film that repeats, in seconds. A film that is exported as a loop shows it, and "
-           "no picture twice."));
     auto* row = bareRow(m_cycle, 6);
     for (const auto& [box, name] : {std::pair{m_from, tr("from")}, {m_to, tr("to")}}) {
         box->setDecimals(2);
@@ -65,18 +69,7 @@ void FilmPanel::makeCycle() {
         row->addWidget(secondLabel(name, m_cycle));
         row->addWidget(box, 1);
     }
-}
-
-void FilmPanel::connectAll() {
-    connect(m_rate, &OptionField::changed, this,
-            [this] { changeSetting(m_document, "time.frameRate", m_rate->number()); });
-    connect(m_cycles, &QCheckBox::toggled, this, [this] { changeCycle({}); });
-    for (ExactBox* box : {m_from, m_to})
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this] { changeCycle(QStringLiteral("cycle")); });
-    connect(m_choose, &QPushButton::clicked, this, &FilmPanel::chooseSound);
-    connect(m_remove, &QPushButton::clicked, this, [this] { setSound({}); });
-    connect(&m_document, &Document::projectChanged, this, &FilmPanel::showProject);
-    connect(&m_document, &Document::opened, this, &FilmPanel::showProject);
+    whenChanged(std::array{m_from, m_to}, this, [this] { changeCycle(QStringLiteral("cycle")); });
 }
 
 void FilmPanel::showProject() {

@@ -25,7 +25,6 @@ class FilmPanel : public QWidget {
 
   private:
     void makeCycle();
-    void connectAll();
     void showProject();
     void changeCycle(const QString& name);
     void chooseSound();

@@ -4,12 +4,11 @@
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPushButton>
-#include <QSlider>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
@@ -66,8 +65,7 @@ MemorySlider::MemorySlider(QWidget* parent) : QWidget(parent), m_slider(new Jump
     describe(m_slider, QCoreApplication::translate("Options", words.label),
              QCoreApplication::translate("Options", words.help));
     setFocusProxy(m_slider);
-    connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-    connect(m_slider, &QSlider::valueChanged, this, &MemorySlider::choose);
+    connect(m_slider, &JumpSlider::moved, this, &MemorySlider::choose);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -78,11 +76,10 @@ void MemorySlider::setMemory(double memory) {
     update();
 }
 
-void MemorySlider::choose(int value) {
-    if (!m_slider->isSliderDown()) ++m_gesture;
+void MemorySlider::choose(int value, int gesture) {
     m_memory = memoryAt(value);
     update();
-    emit memoryChosen(m_memory, m_gesture);
+    emit memoryChosen(m_memory, gesture);
 }
 
 int MemorySlider::lineHeight() const {
@@ -127,11 +124,11 @@ FlowPanel::FlowPanel(Document& document, Playback& playback, QWidget* parent)
       m_document(document),
       m_playback(playback),
       m_memory(new MemorySlider(this)),
-      m_settle(new QPushButton(tr("Relax"), this)) {
-    m_settle->setObjectName(QStringLiteral("settle"));
-    describe(m_settle, tr("Relax"),
-             tr("The pins stay where they are, and what lies between them releases its tension. This takes "
-                "one second at the end of the film."));
+      m_settle(pushButton(
+          this, "settle", tr("Relax"),
+          tr("The pins stay where they are, and what lies between them releases its tension. This takes "
+             "one second at the end of the film."),
+          [this] { settleAtEnd(m_document, m_playback); })) {
     showInTip(m_settle, relaxPictures);
     showInTip(m_memory->slider(), memoryPictures);
     auto* layout = new QVBoxLayout(this);
@@ -139,7 +136,6 @@ FlowPanel::FlowPanel(Document& document, Playback& playback, QWidget* parent)
     layout->setSpacing(8);
     layout->addLayout(sideBySide({panelTitle(tr("Springs back"), this), nullptr, m_settle}));
     layout->addWidget(m_memory);
-    connect(m_settle, &QPushButton::clicked, this, [this] { settleAtEnd(m_document, m_playback); });
     connect(m_memory, &MemorySlider::memoryChosen, this, [this](double memory, int gesture) {
         changeSetting(m_document, "material.memory", memory, gesture);
     });

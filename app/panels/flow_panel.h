@@ -6,9 +6,10 @@
 #include "app/project/edits/document.h"
 
 class QPushButton;
-class QSlider;
 
 namespace wend {
+
+class JumpSlider;
 
 /// The strength of the memory: a slider from "not at all" to "fully", above it a picture of a strip whose pin
 /// was moved in a circle.
@@ -21,7 +22,7 @@ class MemorySlider : public QWidget {
     /// ρ, infinite at the slider's end; one beyond all other places shows as the last of them and is kept.
     double memory() const { return m_memory; }
     void setMemory(double memory);
-    QSlider* slider() const { return m_slider; }
+    JumpSlider* slider() const { return m_slider; }
     QSize sizeHint() const override;
 
   signals:
@@ -34,12 +35,11 @@ class MemorySlider : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    void choose(int value);
+    void choose(int value, int gesture);
     int lineHeight() const;
 
-    QSlider* m_slider;
+    JumpSlider* m_slider;
     double m_memory = 0;
-    int m_gesture = 0;
 };
 
 /// How the shape follows its pins over time: the memory of the rest shape, and relaxation.

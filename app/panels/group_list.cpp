@@ -3,8 +3,8 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QPixmap>
-#include <QPushButton>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
@@ -64,7 +64,10 @@ GroupList::GroupList(Document& document, Selection& selection, QWidget* parent)
       m_document(document),
       m_selection(selection),
       m_list(new QListWidget(this)),
-      m_hold(new QPushButton(tr("Hold It"), this)),
+      m_hold(pushButton(this, "", tr("Hold It"),
+                        tr("Makes a pin of the chosen group, which the project names, so that it fits "
+                           "other meshes, too."),
+                        &GroupList::hold, tr("Hold the group"))),
       m_content(new QWidget(this)) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -79,9 +82,6 @@ GroupList::GroupList(Document& document, Selection& selection, QWidget* parent)
         m_list, tr("Groups of the file"),
         tr("What the mesh's file calls by a name or number. A click marks a group on the shape; a double "
            "click, or Enter, pins it."));
-    describe(
-        m_hold, tr("Hold the group"),
-        tr("Makes a pin of the chosen group, which the project names, so that it fits other meshes, too."));
     hide();
     connect(&document, &Document::opened, this, &GroupList::read);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
@@ -89,7 +89,6 @@ GroupList::GroupList(Document& document, Selection& selection, QWidget* parent)
         tell();
     });
     connect(m_list, &QListWidget::itemActivated, this, &GroupList::hold);
-    connect(m_hold, &QPushButton::clicked, this, &GroupList::hold);
 }
 
 /// Reads in the background, because the file may be large.

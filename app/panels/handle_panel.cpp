@@ -1,21 +1,20 @@
 #include "app/panels/handle_panel.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
-#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/ease_names.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
+#include "app/panels/fields/region_numbers.h"
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
+#include "app/project/edits/handle_edits.h"
 #include "app/project/edits/timing_edits.h"
 #include "app/session/calm_follower.h"
 #include "app/session/pins/pin_shapes.h"
@@ -24,27 +23,10 @@
 namespace wend {
 
 CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
-    : QWidget(parent),
-      m_session(session),
-      m_make(new QPushButton(tr("Edit path"), this)),
-      m_curve(new QWidget(this)),
-      m_ease(new QComboBox(this)),
-      m_frame(new QComboBox(this)),
-      m_twist(new ExactBox(this)),
-      m_scale(new ExactBox(this)) {
+    : QWidget(parent), m_session(session), m_curve(new QWidget(this)) {
     makeControls();
     arrange();
-    m_make->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
-    connect(m_make, &QPushButton::clicked, this, [this] {
-        const bool byKey = m_make->hasFocus();
-        makeCurve(m_session);
-        if (byKey) m_ease->setFocus();
-    });
-    connect(m_frame, &QComboBox::activated, this, &CurvePanel::change);
-    connect(m_ease, &QComboBox::activated, this, &CurvePanel::changeEase);
     connect(&m_session.playback(), &Playback::timeChanged, this, &CurvePanel::showCurve);
-    for (ExactBox* box : {m_twist, m_scale})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &CurvePanel::change);
     new CalmFollower(
         m_session.motion(), this, [this] { showCurve(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
         &m_session.motion(), &ShapeMotion::frameChanged);
@@ -52,27 +34,29 @@ CurvePanel::CurvePanel(ShapeSession& session, QWidget* parent)
 }
 
 void CurvePanel::makeControls() {
+    m_make = new QPushButton(tr("Edit path"), this);
     m_make->setToolTip(tr("Turns the drawn path into a Bézier curve with points to drag."));
     m_make->setStatusTip(m_make->toolTip());
-    for (const Ease ease : kEases) m_ease->addItem(withoutKey(easeName(ease)));
-    m_ease->setObjectName(QStringLiteral("ease"));
-    fitToEntries(m_ease);
-    describe(m_ease, tr("Easing"), tr("How the motion at the shown time starts and ends."));
-    m_frame->addItems({tr("no"), tr("as it bends (Frenet)"), tr("yes")});
-    m_frame->setObjectName(QStringLiteral("curveFrame"));
-    fitToEntries(m_frame);
-    describe(m_frame, tr("Rotate with path"), tr("Whether what is held turns along the curve, and how."));
-    m_twist->setRange(-3600, 3600);
-    m_twist->setDecimals(1);
-    m_twist->setSingleStep(15);
-    m_twist->setSuffix(QStringLiteral(" °"));
-    describe(m_twist, tr("Twist"),
-             tr("How far it turns around the curve's direction, over the whole curve."));
-    m_scale->setRange(0.05, 20);
-    m_scale->setDecimals(3);
-    m_scale->setSingleStep(0.05);
+    m_make->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
+    connect(m_make, &QPushButton::clicked, this, [this] {
+        const bool byKey = m_make->hasFocus();
+        makeCurve(m_session);
+        if (byKey) m_ease->setFocus();
+    });
+    QStringList eases;
+    for (const Ease ease : kEases) eases << withoutKey(easeName(ease));
+    m_ease = choiceBox(this, "ease", tr("Easing"), tr("How the motion at the shown time starts and ends."),
+                       eases, &CurvePanel::changeEase);
+    m_frame = choiceBox(this, "curveFrame", tr("Rotate with path"),
+                        tr("Whether what is held turns along the curve, and how."),
+                        {tr("no"), tr("as it bends (Frenet)"), tr("yes")}, &CurvePanel::change);
+    for (QComboBox* box : {m_ease, m_frame}) fitToEntries(box);
+    m_twist = numberBox(this, "", tr("Twist"),
+                        tr("How far it turns around the curve's direction, over the whole curve."),
+                        {-3600, 3600, 1, 15, QStringLiteral(" °")}, &CurvePanel::change);
+    m_scale = numberBox(this, "", tr("Scale"), tr("How large it has become at the end of the curve."),
+                        {0.05, 20, 3, 0.05}, &CurvePanel::change);
     m_scale->setPrefix(QStringLiteral("×"));
-    describe(m_scale, tr("Scale"), tr("How large it has become at the end of the curve."));
 }
 
 void CurvePanel::arrange() {
@@ -166,11 +150,12 @@ HandlePanel::HandlePanel(ShapeSession& session, QWidget* parent)
       m_place(secondLabel({}, this)),
       m_kind(new QComboBox(this)),
       m_axis(new QComboBox(this)),
-      m_apply(new QToolButton(this)) {
+      m_apply(buttonFor<QToolButton>(this, "applyStep", {},
+                                     tr("Applies this step; it becomes part of the motion."),
+                                     &HandlePanel::apply, tr("Apply"))) {
     makeControls();
     arrange();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &HandlePanel::showStep);
-    connect(m_apply, &QToolButton::clicked, this, &HandlePanel::apply);
     new CalmFollower(
         m_session.motion(), this, [this] { showHandle(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
         &m_session.motion(), &ShapeMotion::frameChanged);
@@ -198,8 +183,6 @@ void HandlePanel::makeControls() {
     m_axis->addItems({tr("around X"), tr("around Y"), tr("around Z")});
     m_axis->setCurrentIndex(2);
     describe(m_axis, tr("Axis"), tr("The axis of the rotation, through the middle of what is selected."));
-    describe(m_apply, tr("Apply"), tr("Applies this step; it becomes part of the motion."));
-    m_apply->setObjectName(QStringLiteral("applyStep"));
 }
 
 void HandlePanel::arrange() {
@@ -285,6 +268,110 @@ void HandlePanel::showHandle() {
     const auto number = [&locale](double value) { return locale.toString(value, 'g', 5); };
     m_place->setText(isSolid() ? tr("at %1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))
                                : tr("at %1, %2").arg(number(at.x()), number(at.y())));
+}
+
+RegionPanel::RegionPanel(ShapeSession& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_numbers(new RegionNumbers(RegionNumbers::Radius::Elsewhere, this)),
+      m_radius(numberBox(
+          this, "circleRadius", tr("Radius"),
+          tr("How far the pin holds the shape around it: 0 holds a point, more a circle, or in a solid a "
+             "ball. In the shape's own units, for a picture its pixels. Dragging the pin with Ctrl and "
+             "Shift does the same."),
+          {0, 1e9}, &RegionPanel::applyRadius)),
+      m_holdsAngle(buttonFor<QCheckBox>(
+          this, "holdsAngle", tr("Holds its a&ngle"),
+          tr("The pin keeps the angle that the picture has there now, as a small circle; without it, the "
+             "picture turns freely around the pin."),
+          [this](bool holds) {
+              if (m_session.selection().single() >= 0)
+                  setHoldsAngle(m_session, m_session.selection().single(), holds);
+              showHandle();
+          })),
+      m_count(secondLabel({}, this)) {
+    auto* layout = sectionColumn(this);
+    layout->addWidget(panelTitle(tr("Region"), this));
+    layout->addWidget(m_numbers);
+    layout->addWidget(m_radiusRow = panelRowIn(tr("Ra&dius"), m_radius, this));
+    layout->addWidget(m_holdsAngle);
+    layout->addWidget(m_count);
+    m_count->setObjectName(QStringLiteral("regionCount"));
+    connect(m_numbers, &RegionNumbers::changed, this, &RegionPanel::apply);
+    new CalmFollower(
+        m_session.motion(), this, [this] { showHandle(); }, &m_session.gestures(),
+        &ShapeGesture::pinsChanged);
+    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &RegionPanel::takeFrame);
+    showHandle();
+}
+
+std::optional<Region<3>> RegionPanel::region() const {
+    const int handle = m_session.selection().single();
+    if (handle < 0) return {};
+    const auto* own = std::get_if<Region<3>>(&m_session.document().design().handles[handle].at);
+    return own ? std::optional(*own) : std::nullopt;
+}
+
+/// Returns the radius of a disc or a ball; 0 for a point.
+std::optional<double> RegionPanel::radius() const {
+    const auto now = region();
+    const auto* ball = now ? std::get_if<Ball<3>>(&*now) : nullptr;
+    if (ball) return ball->radius;
+    return holdsPoint(m_session, m_session.selection().single()) ? std::optional(0.0) : std::nullopt;
+}
+
+/// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
+void RegionPanel::apply(const Region<3>& next) {
+    const FramePtr frame = m_session.motion().frame();
+    const auto now = region();
+    if (!now || !frame || next == *now) return;
+    if (frame->verticesInside(next).empty()) {
+        m_count->setText(tr("There is no vertex in this region: nothing was changed."));
+        return;
+    }
+    const int handle = m_session.selection().handles().front();
+    m_session.document().changeDesign(tr("Change region"),
+                                      withHandlePlace(m_session.document().design(), handle, next),
+                                      QStringLiteral("handle region %1").arg(handle));
+}
+
+/// Emits a notice and rejects a radius that is too small to contain a vertex.
+void RegionPanel::applyRadius() {
+    const int handle = m_session.selection().single();
+    if (radius() &&
+        !widenPin(m_session, handle, m_radius->exact(), QStringLiteral("handle region %1").arg(handle)))
+        showHandle();
+}
+
+/// Updates after a change of the shape; poses change nothing here.
+void RegionPanel::takeFrame() {
+    const FramePtr& frame = m_session.motion().frame();
+    if (!frame || frame->shape != m_mesh || isHidden()) showHandle();
+}
+
+void RegionPanel::showHandle() {
+    const FramePtr& frame = m_session.motion().frame();
+    m_mesh = frame ? frame->shape : nullptr;
+    const auto now = region();
+    const bool hasNumbers = isSolid() && now && RegionNumbers::canShow(*now);
+    const auto wide = radius();
+    setVisible(frame && (hasNumbers || wide));
+    m_numbers->setVisible(hasNumbers);
+    m_radiusRow->setVisible(wide.has_value());
+    m_count->setVisible(!holdsPoint(m_session, m_session.selection().single()));
+    m_holdsAngle->setVisible(!isSolid() && wide);
+    m_holdsAngle->setChecked(wide && *wide > 0);
+    if (!frame) return;
+    if (hasNumbers) m_numbers->showRegion(*now, frame->diagonal);
+    if (wide) showRadius(*wide, frame->diagonal);
+    if (now && (hasNumbers || !isSolid()))
+        m_count->setText(tr("Vertices: %n", nullptr, static_cast<int>(frame->verticesInside(*now).size())));
+}
+
+/// Shows the radius with decimals that depend on the size of the shape; whole pixels in a picture.
+void RegionPanel::showRadius(double radius, double diagonal) {
+    m_radius->showDigits(isSolid() ? digitsFor(diagonal) : 2);
+    m_radius->put(radius);
 }
 
 }  // namespace wend

@@ -1,19 +1,18 @@
 #include "app/panels/layer_panel.h"
 
-#include <QCheckBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
-#include <QToolButton>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/engine/shape/told_units.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/stiffness_fields.h"
-#include "app/panels/layer_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/file/named_files.h"
 
@@ -34,31 +33,24 @@ LayerPanel::LayerPanel(Document& document, LayerChoice& chosen, QWidget* parent)
       m_document(document),
       m_chosen(chosen),
       m_list(new QListWidget(this)),
-      m_up(new QToolButton(this)),
-      m_down(new QToolButton(this)),
-      m_remove(new QToolButton(this)),
-      m_pictureMenu(new QToolButton(this)),
-      m_rename(new QAction(tr("&Rename"), m_list)),
-      m_merge(new QAction(tr("&Merge Down"), this)),
-      m_takeAway(new QAction(tr("Remove"), m_list)),
       m_none(secondLabel(tr("The material is the same everywhere: brush over the shape to change a part."),
                          this)),
       m_values(new QWidget(this)),
       m_paint(new QWidget(m_values)),
       m_pictures(new QWidget(m_values)),
       m_files(secondLabel({}, m_pictures)),
-      m_readAgain(new QToolButton(m_pictures)),
-      m_hasPhi(new QCheckBox(tr("Keep"), m_paint)),
-      m_phi(new EnergySlider(m_paint)),
-      m_ratio(stiffnessField(
-          tr("How many times stiffer the layer is along its direction; ×1 is the same as everywhere."),
-          m_paint)),
-      m_axisNote(secondLabel(tr("Each along a direction of its own."), m_paint)),
-      m_feather(new MagnitudeBox(m_values)) {
+      m_axisNote(secondLabel(tr("Each along a direction of its own."), m_paint)) {
     makeList();
+    makeMenu();
+    makeChips();
     makeControls();
     arrange();
-    connectControls();
+    connect(&m_document, &Document::projectChanged, this, &LayerPanel::showLayers);
+    connect(&m_chosen, &LayerChoice::changed, this, [this] { select(m_chosen.now().id, isCells()); });
+    connect(&m_document, &Document::opened, this, [this] {
+        m_chosen.set({});
+        showUnit();
+    });
     showLayers();
 }
 
@@ -69,43 +61,80 @@ void LayerPanel::makeList() {
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setItemDelegate(new EyeDelegate(m_list));
+    describe(m_list, tr("Layers"),
+             tr("Where the material differs. The topmost layer wins; drag a layer to move it. A click shows "
+                "its values, a double-click changes its name, its eye or the space bar switches it off."));
+    connectEach(this, &LayerPanel::choose, m_list, &QListWidget::currentRowChanged, m_list,
+                &QListWidget::itemClicked);  // a click on the current one counts after a stroke
+    connect(m_list, &QListWidget::itemChanged, this, &LayerPanel::takeItem);
+    // The list is in the middle of the drop.
+    connect(
+        m_list->model(), &QAbstractItemModel::rowsMoved, this,
+        [this](const QModelIndex&, int from, int, const QModelIndex&, int before) {
+            takeOrder(from, before > from ? before - 1 : before);
+        },
+        Qt::QueuedConnection);
+}
+
+void LayerPanel::makeMenu() {
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_list->addActions({m_rename, m_merge, m_takeAway});
+    m_rename = m_list->addAction(tr("&Rename"), this, [this] { m_list->editItem(m_list->currentItem()); });
+    m_merge = m_list->addAction(tr("&Merge Down"), this, [this] {
+        if (auto next = withLayerMergedDown(layers(), selected()))
+            change(tr("Merge layers"), *std::move(next));
+    });
+    m_takeAway = m_list->addAction(tr("Remove"), this, &LayerPanel::remove);
     m_rename->setObjectName(QStringLiteral("layerRename"));
     m_takeAway->setObjectName(QStringLiteral("layerTakeAway"));
     m_merge->setObjectName(QStringLiteral("layerMerge"));
     m_merge->setStatusTip(tr("Makes one layer of the chosen one and the one below it"));
-    describe(m_list, tr("Layers"),
-             tr("Where the material differs. The topmost layer wins; drag a layer to move it. A click shows "
-                "its values, a double-click changes its name, its eye or the space bar switches it off."));
-    const auto make = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
-        button->setObjectName(QLatin1String(id));
-        button->setText(text);
-        button->setProperty("role", "chip");
-        describe(button, text, help);
-    };
-    make(m_up, "layerUp", tr("Up"), tr("Lets the chosen layer win over the one above it."));
-    make(m_down, "layerDown", tr("Down"), tr("Lets the layer below win over the chosen one."));
-    make(m_remove, "layerRemove", tr("Remove"), tr("Removes the chosen layer."));
-    make(m_pictureMenu, "layerPictures", tr("Pictures"),
-         tr("Imports the material from pictures made in a paint program, and exports it as such."));
+}
+
+void LayerPanel::makeChips() {
+    const auto move = [this](int by) { change(tr("Move layer"), withLayerMoved(layers(), selected(), by)); };
+    m_up = chip(this, "layerUp", tr("Up"), tr("Lets the chosen layer win over the one above it."),
+                [move] { move(1); });
+    m_down = chip(this, "layerDown", tr("Down"), tr("Lets the layer below win over the chosen one."),
+                  [move] { move(-1); });
+    m_remove = chip(this, "layerRemove", tr("Remove"), tr("Removes the chosen layer."), &LayerPanel::remove);
+    m_pictureMenu = new QToolButton(this);
+    say(m_pictureMenu, "layerPictures", tr("Pictures"),
+        tr("Imports the material from pictures made in a paint program, and exports it as such."));
+    m_pictureMenu->setProperty("role", "chip");
     m_pictureMenu->setPopupMode(QToolButton::InstantPopup);
-    make(m_readAgain, "layerReadAgain", tr("Read Again"),
-         tr("Takes the pictures as they are now, after they have been saved in a paint program."));
+    m_readAgain =
+        chip(this, "layerReadAgain", tr("Read Again"),
+             tr("Takes the pictures as they are now, after they have been saved in a paint program."),
+             [this] { changeChosen(tr("Read pictures again"), rereadPictures); });
 }
 
 void LayerPanel::makeControls() {
-    describe(m_hasPhi, tr("Keep"), tr("Whether the layer changes Keep, and to what."));
+    m_hasPhi = new QCheckBox(m_paint);
+    say(m_hasPhi, "", tr("Keep"), tr("Whether the layer changes Keep, and to what."));
+    m_phi = new EnergySlider(m_paint);
+    m_ratio = stiffnessField(
+        tr("How many times stiffer the layer is along its direction; ×1 is the same as everywhere."),
+        m_paint);
     m_ratio->setObjectName(QStringLiteral("layerRatio"));
     m_axis = directionFields(tr("Stiff direction"), {}, m_paint);
     for (ExactBox* box : m_axis) {
         box->setFixedWidth(56);
         box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     }
-    m_feather->setObjectName(QStringLiteral("layerFeather"));
-    m_feather->setRange(0, 1e9);
+    connectEach(this, &LayerPanel::changePaint, m_hasPhi, &QCheckBox::clicked, m_phi,
+                &EnergySlider::phiChosen, m_ratio, &QDoubleSpinBox::valueChanged);
+    whenChanged(m_axis, this, [this] {
+        m_ownAxes = false;
+        changePaint();
+    });
+    m_feather = numberBox<MagnitudeBox>(
+        this, "layerFeather", tr("Soft edge"), tr("How wide the edge fades, in the shape's own units."),
+        {0, 1e9, -1}, [this](double feather) {
+            changeChosen(
+                tr("Change soft edge"), [&](MaterialLayer& layer) { setLayerFeather(layer, feather); },
+                QStringLiteral("feather %1").arg(qulonglong(selected())));
+        });
     m_feather->setDigits(4);
-    describe(m_feather, tr("Soft edge"), tr("How wide the edge fades, in the shape's own units."));
 }
 
 void LayerPanel::arrange() {
@@ -114,11 +143,7 @@ void LayerPanel::arrange() {
     layout->addWidget(m_none);
     layout->addWidget(m_list);
     layout->addLayout(sideBySide({m_up, m_down, nullptr, m_remove}));
-    const auto column = [](QWidget* of) {
-        auto* values = bareColumn(of, 8);
-        return values;
-    };
-    QVBoxLayout* paint = column(m_paint);
+    QVBoxLayout* paint = bareColumn(m_paint, 8);
     paint->addWidget(m_hasPhi);
     paint->addWidget(m_phi);
     paint->addLayout(panelRow(tr("Stiffness"), m_ratio, m_paint));
@@ -131,60 +156,14 @@ void LayerPanel::arrange() {
     for (ExactBox* box : m_axis) axis->addWidget(box);
     paint->addLayout(axis);
     paint->addWidget(m_axisNote);
-    QVBoxLayout* pictures = column(m_pictures);
+    QVBoxLayout* pictures = bareColumn(m_pictures, 8);
     pictures->addWidget(m_files);
     pictures->addWidget(m_readAgain, 0, Qt::AlignLeft);
-    QVBoxLayout* values = column(m_values);
+    QVBoxLayout* values = bareColumn(m_values, 8);
     values->addWidget(m_paint);
     values->addWidget(m_pictures);
     values->addWidget(m_featherRow = panelRowIn(tr("Soft ed&ge"), m_feather, m_values));
     layout->addWidget(m_values);
-}
-
-void LayerPanel::connectControls() {
-    connect(&m_document, &Document::projectChanged, this, &LayerPanel::showLayers);
-    connect(&m_chosen, &LayerChoice::changed, this, [this] { select(m_chosen.now().id, isCells()); });
-    connect(&m_document, &Document::opened, this, [this] {
-        m_chosen.set({});
-        showUnit();
-    });
-    connect(m_list, &QListWidget::currentRowChanged, this, &LayerPanel::choose);
-    connect(m_list, &QListWidget::itemClicked, this,
-            &LayerPanel::choose);  // also after a stroke
-    connect(m_list, &QListWidget::itemChanged, this, &LayerPanel::takeItem);
-    // The list is in the middle of the drop.
-    connect(
-        m_list->model(), &QAbstractItemModel::rowsMoved, this,
-        [this](const QModelIndex&, int from, int, const QModelIndex&, int before) {
-            takeOrder(from, before > from ? before - 1 : before);
-        },
-        Qt::QueuedConnection);
-    connect(m_readAgain, &QToolButton::clicked, this,
-            [this] { changeChosen(tr("Read pictures again"), rereadPictures); });
-    const auto move = [this](int by) { change(tr("Move layer"), withLayerMoved(layers(), selected(), by)); };
-    connect(m_up, &QToolButton::clicked, this, [move] { move(1); });
-    connect(m_down, &QToolButton::clicked, this, [move] { move(-1); });
-    connect(m_remove, &QToolButton::clicked, this, &LayerPanel::remove);
-    connect(m_takeAway, &QAction::triggered, this, &LayerPanel::remove);
-    connect(m_rename, &QAction::triggered, this, [this] { m_list->editItem(m_list->currentItem()); });
-    connect(m_merge, &QAction::triggered, this, [this] {
-        if (auto next = withLayerMergedDown(layers(), selected()))
-            change(tr("Merge layers"), *std::move(next));
-    });
-    const auto changeMaterial = [this] { changePaint(); };
-    connect(m_hasPhi, &QCheckBox::clicked, this, changeMaterial);
-    connect(m_phi, &EnergySlider::phiChosen, this, changeMaterial);
-    connect(m_ratio, &QDoubleSpinBox::valueChanged, this, changeMaterial);
-    for (ExactBox* box : m_axis)
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this, changeMaterial] {
-            m_ownAxes = false;
-            changeMaterial();
-        });
-    connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
-        changeChosen(
-            tr("Change soft edge"), [&](MaterialLayer& layer) { setLayerFeather(layer, feather); },
-            QStringLiteral("feather %1").arg(qulonglong(selected())));
-    });
 }
 
 void LayerPanel::setPictureMenu(QMenu* menu) {

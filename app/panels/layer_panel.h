@@ -42,8 +42,9 @@ class LayerPanel : public QWidget {
   private:
     void makeControls();
     void makeList();
+    void makeMenu();
+    void makeChips();
     void arrange();
-    void connectControls();
     void showLayers();
     void select(Id layer, bool cells);
     void choose();
@@ -72,21 +73,21 @@ class LayerPanel : public QWidget {
     LayerChoice& m_chosen;
     Id m_pointed = Id::None;  // the clicked layer, whose border is shown
     QListWidget* m_list;
-    QToolButton *m_up, *m_down, *m_remove, *m_pictureMenu;
-    QAction *m_rename, *m_merge, *m_takeAway;
+    QToolButton *m_up = nullptr, *m_down = nullptr, *m_remove = nullptr, *m_pictureMenu = nullptr;
+    QAction *m_rename = nullptr, *m_merge = nullptr, *m_takeAway = nullptr;
     QLabel* m_none;
     QWidget* m_values;
     QWidget* m_paint;     // of a layer with values of its own,
     QWidget* m_pictures;  // and of one that has them from pictures
     QLabel* m_files;
-    QToolButton* m_readAgain;
+    QToolButton* m_readAgain = nullptr;
     QWidget* m_featherRow = nullptr;
-    QCheckBox* m_hasPhi;
-    EnergySlider* m_phi;
-    ExactBox* m_ratio;
-    std::array<ExactBox*, 3> m_axis;
+    QCheckBox* m_hasPhi = nullptr;
+    EnergySlider* m_phi = nullptr;
+    ExactBox* m_ratio = nullptr;
+    std::array<ExactBox*, 3> m_axis = {};
     QLabel* m_axisNote;
-    MagnitudeBox* m_feather;
+    MagnitudeBox* m_feather = nullptr;
     bool m_ownAxes = false;  // the chosen regions are stiff along directions of their own
 };
 

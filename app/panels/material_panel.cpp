@@ -4,11 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
@@ -69,11 +69,8 @@ ReachRow::ReachRow(Document& document, QWidget* parent)
     end(tr("near"));
     row->addWidget(m_slider, 1);
     end(tr("far"));
-    connect(m_slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-    connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
-        if (!m_slider->isSliderDown()) ++m_gesture;
-        changeSetting(m_document, kKey, lengthAt(value), m_gesture);
-    });
+    connect(m_slider, &JumpSlider::moved, this,
+            [this](int value, int gesture) { changeSetting(m_document, kKey, lengthAt(value), gesture); });
     connect(&m_document, &Document::projectChanged, this, &ReachRow::showProject);
     showProject();
 }
@@ -121,8 +118,8 @@ MaterialPanel::MaterialPanel(Document& document, ShapeMotion& motion, QWidget* p
       m_title(panelTitle({}, this)),
       m_slider(new EnergySlider(this, EnergySlider::Stops::Tiles)),
       m_help(secondLabel({}, this)),
-      m_grown(new QPushButton(this)) {
-    m_grown->setObjectName(QStringLiteral("grown"));
+      m_grown(pushButton(this, "grown", {}, {},
+                         [this] { choosePhi(m_slider->scale().stops().at(calmerStop()).phi, -1); })) {
     m_grown->setIcon(wendIcon(QStringLiteral("warning"), Theme::of(palette()).warning));
     m_grown->hide();
     m_help->setMinimumHeight(m_help->fontMetrics().lineSpacing());
@@ -135,8 +132,6 @@ MaterialPanel::MaterialPanel(Document& document, ShapeMotion& motion, QWidget* p
     layout->addWidget(m_slider);
     layout->addWidget(m_help);
     connect(m_slider, &EnergySlider::phiChosen, this, &MaterialPanel::choosePhi);
-    connect(m_grown, &QPushButton::clicked, this,
-            [this] { choosePhi(m_slider->scale().stops().at(calmerStop()).phi, -1); });
     new CalmFollower(
         m_motion, this, [this] { showGrowth(); }, &m_motion, &ShapeMotion::frameChanged);
     connect(&m_document, &Document::projectChanged, this, &MaterialPanel::showProject);

@@ -4,7 +4,6 @@
 
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/setting_rows.h"
-#include "app/project/edits/document.h"
 #include "app/session/shape_motion.h"
 
 class QLabel;
@@ -27,7 +26,6 @@ class ReachRow : public QWidget {
 
     Document& m_document;
     JumpSlider* m_slider;
-    int m_gesture = 0;
 };
 
 /// Exact numbers for the energy of the whole shape and the smoothing length.

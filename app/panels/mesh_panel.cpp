@@ -1,16 +1,15 @@
 #include "app/panels/mesh_panel.h"
 
-#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
-#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/engine/shape/shape.h"
 #include "app/panels/cut_out_panel.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
@@ -49,53 +48,17 @@ double largestCell(const PosedFrame<3>& frame) {
 
 }  // namespace
 
-DetailRow::DetailRow(QWidget* parent)
-    : QWidget(parent),
-      m_name(secondLabel({}, this)),
-      m_choose(new QToolButton(this)),
-      m_remove(new QToolButton(this)) {
-    auto* layout = bareColumn(this, 6);
-    m_choose->setText(tr("Choose…"));
-    m_choose->setObjectName(QStringLiteral("chooseDetail"));
-    m_remove->setText(tr("Remove"));
-    m_remove->setObjectName(QStringLiteral("removeDetail"));
-    for (QToolButton* button : {m_choose, m_remove}) button->setProperty("role", "chip");
-    describe(m_choose, tr("Choose skin"),
-             tr("Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view "
-                "shows it, and surface formats contain it."));
-    describe(m_remove, tr("Remove skin"), tr("Shows and exports the solid with its own surface again."));
-    layout->addLayout(panelRow(tr("Skin"), m_choose, this));
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_name, 1);
-    row->addWidget(m_remove);
-    layout->addLayout(row);
-    connect(m_choose, &QToolButton::clicked, this, &DetailRow::wanted);
-    connect(m_remove, &QToolButton::clicked, this, &DetailRow::removed);
-}
-
-void DetailRow::showDomain(const Domain& domain) {
-    const QString path = QString::fromStdString(domain.detail);
-    m_name->setText(QFileInfo(path).fileName());
-    m_name->setToolTip(QDir::toNativeSeparators(path));
-    m_name->setVisible(!path.isEmpty());
-    m_remove->setVisible(!path.isEmpty());
-}
-
 MeshPanel::MeshPanel(Document& document, ShapeMotion& motion, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_motion(motion),
       m_settings(document, this, CutOutPanel::notACutOut()),
       m_density(new JumpSlider(this)),
-      m_aim(new QComboBox(this)),
-      m_whose(new QComboBox(this)),
-      m_asAll(new QToolButton(this)),
-      m_sizes(new QToolButton(this)),
-      m_detail(new DetailRow(this)),
+      m_skin(secondLabel({}, this)),
       m_counts(secondLabel({}, this)) {
     makeControls();
+    makeSkin();
     arrange();
-    connectControls();
     connect(&m_document, &Document::projectChanged, this, &MeshPanel::showProject);
     connect(&m_motion, &ShapeMotion::frameChanged, this, &MeshPanel::showCounts);
     showProject();
@@ -103,25 +66,58 @@ MeshPanel::MeshPanel(Document& document, ShapeMotion& motion, QWidget* parent)
 
 void MeshPanel::makeControls() {
     m_density->setRange(0, 1000);
-    m_aim->addItems({tr("Vertices"), tr("Maximum volume")});
-    fitToEntries(m_aim, 150);
-    describe(m_aim, tr("Aim"),
-             tr("What sets how fine the mesh is: how many vertices it has in total, or how large a "
-                "tetrahedron may be."));
-    m_whose->setObjectName(QStringLiteral("outlineOf"));
-    fitToEntries(m_whose, 150);
-    describe(m_whose, tr("Outline and detail of"),
-             tr("Which part of the picture has the outline and detail below; all have the same unless one "
-                "has its own. Choosing a part in the list of parts chooses it here."));
-    m_asAll->setText(tr("As All Parts"));
-    m_asAll->setObjectName(QStringLiteral("outlineAsAll"));
-    m_asAll->setProperty("role", "chip");
-    describe(m_asAll, m_asAll->text(), tr("Gives this part the outline and detail of all parts again."));
-    m_sizes->setText(tr("Paint…"));
-    m_sizes->setObjectName(QStringLiteral("paintSizes"));
-    m_sizes->setProperty("role", "chip");
-    describe(m_sizes, tr("Cell sizes"),
-             tr("Paints where the mesh should be finer or coarser, or sets it by regions in numbers."));
+    connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(m_density, &QSlider::valueChanged, this, [this](int value) {
+        if (m_part < 0)
+            changeSetting(m_document, "domain.vertices", verticesOf(value), m_gesture);
+        else
+            changePartSetting(m_document, m_part, "domain.vertices", verticesOf(value), m_gesture);
+    });
+    m_aim = choiceBox(this, "", tr("Aim"),
+                      tr("What sets how fine the mesh is: how many vertices it has in total, or how large a "
+                         "tetrahedron may be."),
+                      {tr("Vertices"), tr("Maximum volume")}, [this](int aim) { setAim(aim == ByVolume); });
+    m_whose = choiceBox(
+        this, "outlineOf", tr("Outline and detail of"),
+        tr("Which part of the picture has the outline and detail below; all have the same unless one "
+           "has its own. Choosing a part in the list of parts chooses it here."),
+        {}, [this](int row) { setPart(row - 1); });
+    for (QComboBox* box : {m_aim, m_whose}) fitToEntries(box, 150);
+    m_asAll =
+        chip(this, "outlineAsAll", tr("As All Parts"),
+             tr("Gives this part the outline and detail of all parts again."), [this] {
+                 if (m_part >= 0)
+                     m_document.change(m_asAll->text(), withoutOwnOutline(*m_document.project(), m_part));
+             });
+    m_sizes = chip(this, "paintSizes", tr("Paint…"),
+                   tr("Paints where the mesh should be finer or coarser, or sets it by regions in numbers."),
+                   &MeshPanel::sizesWanted, tr("Cell sizes"));
+}
+
+/// Makes the rows of the detailed surface that is embedded in a solid.
+void MeshPanel::makeSkin() {
+    auto* choose =
+        chip(this, "chooseDetail", tr("Choose…"),
+             tr("Takes a detailed, perhaps textured surface from a file and embeds it in the solid; the view "
+                "shows it, and surface formats contain it."),
+             &MeshPanel::detailWanted, tr("Choose skin"));
+    m_removeSkin = chip(this, "removeDetail", tr("Remove"),
+                        tr("Shows and exports the solid with its own surface again."),
+                        &MeshPanel::detailRemoved, tr("Remove skin"));
+    m_skinRows = new QWidget(this);
+    auto* layout = bareColumn(m_skinRows, 6);
+    layout->addLayout(panelRow(tr("Skin"), choose, m_skinRows));
+    auto* row = sideBySide({m_skin, m_removeSkin});
+    row->setStretch(0, 1);
+    layout->addLayout(row);
+}
+
+void MeshPanel::showSkin(const std::string& file) {
+    const QString path = QString::fromStdString(file);
+    m_skin->setText(QFileInfo(path).fileName());
+    m_skin->setToolTip(QDir::toNativeSeparators(path));
+    for (QWidget* part : std::initializer_list<QWidget*>{m_skin, m_removeSkin})
+        part->setVisible(!path.isEmpty());
 }
 
 void MeshPanel::arrange() {
@@ -148,29 +144,10 @@ void MeshPanel::arrange() {
     QWidget* quality = row("domain.quality");
     QWidget* refine = row("domain.refineSurface");
     QWidget* sizes = add(panelRowIn(tr("Finer and coarser"), m_sizes, this));
-    add(m_detail);
+    add(m_skinRows);
     m_solidRows = {fit, aim, quality, refine, sizes};
     m_surfaceRows = {vertices, m_density};
     add(m_counts);
-}
-
-void MeshPanel::connectControls() {
-    connect(m_density, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-    connect(m_density, &QSlider::valueChanged, this, [this](int value) {
-        if (m_part < 0)
-            changeSetting(m_document, "domain.vertices", verticesOf(value), m_gesture);
-        else
-            changePartSetting(m_document, m_part, "domain.vertices", verticesOf(value), m_gesture);
-    });
-    connect(m_whose, &QComboBox::activated, this, [this](int row) { setPart(row - 1); });
-    connect(m_asAll, &QToolButton::clicked, this, [this] {
-        Document& document = m_document;
-        if (m_part >= 0) document.change(m_asAll->text(), withoutOwnOutline(*document.project(), m_part));
-    });
-    connect(m_aim, &QComboBox::activated, this, [this](int aim) { setAim(aim == ByVolume); });
-    connect(m_sizes, &QToolButton::clicked, this, &MeshPanel::sizesWanted);
-    connect(m_detail, &DetailRow::wanted, this, &MeshPanel::detailWanted);
-    connect(m_detail, &DetailRow::removed, this, &MeshPanel::detailRemoved);
 }
 
 /// Begins with the volume that the mesh has now, so that it stays about as fine.
@@ -207,7 +184,7 @@ void MeshPanel::showProject() {
                   tr("No outline has been drawn."));
     showDetail();
     m_aim->setCurrentIndex(domain.maxVolume > 0 ? ByVolume : ByVertices);
-    m_detail->showDomain(domain);
+    showSkin(domain.detail);
 }
 
 void MeshPanel::setPart(int part) {
@@ -288,7 +265,7 @@ void MeshPanel::showRows() {
     show(m_surfaceRows, !solid || (surface && !volume));
     show(m_solidRows, surface);
     show(m_volumeRows, volume);
-    m_detail->setVisible(solid);
+    m_skinRows->setVisible(solid);
     showShells();
 }
 

@@ -13,23 +13,6 @@ class QToolButton;
 
 namespace wend {
 
-/// The detailed surface that is embedded in a solid, with buttons to choose and remove it.
-class DetailRow : public QWidget {
-    Q_OBJECT
-
-  public:
-    explicit DetailRow(QWidget* parent = nullptr);
-    void showDomain(const Domain& domain);
-
-  signals:
-    void wanted();
-    void removed();
-
-  private:
-    QLabel* m_name;
-    QToolButton *m_choose, *m_remove;
-};
-
 /// The source of the outline and the fineness of the mesh.
 class MeshPanel : public QWidget {
     Q_OBJECT
@@ -50,7 +33,8 @@ class MeshPanel : public QWidget {
   private:
     void makeControls();
     void arrange();
-    void connectControls();
+    void makeSkin();
+    void showSkin(const std::string& file);
     void setAim(bool volume);
     void showProject();
     void showParts();
@@ -65,11 +49,12 @@ class MeshPanel : public QWidget {
     ShapeMotion& m_motion;
     SettingRows m_settings;
     QSlider* m_density;
-    QComboBox* m_aim;
-    QComboBox* m_whose;  // the part that the outline is of
-    QToolButton *m_asAll, *m_sizes;
-    DetailRow* m_detail;
-    QWidget *m_shells = nullptr, *m_border = nullptr, *m_whoseRow = nullptr;
+    QComboBox* m_aim = nullptr;
+    QComboBox* m_whose = nullptr;  // the part that the outline is of
+    QToolButton *m_asAll = nullptr, *m_sizes = nullptr;
+    QLabel* m_skin;  // the name of the file of the detailed surface
+    QToolButton* m_removeSkin = nullptr;
+    QWidget *m_skinRows = nullptr, *m_shells = nullptr, *m_border = nullptr, *m_whoseRow = nullptr;
     // of pictures; of all that is meshed; of surfaces; of surfaces by their aim
     std::vector<QWidget*> m_pictureRows, m_surfaceRows, m_solidRows, m_volumeRows;
     QLabel* m_counts;

@@ -1,11 +1,10 @@
 #include "app/panels/paint_panel.h"
 
-#include <QComboBox>
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/energy_slider.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/stiffness_fields.h"
 
@@ -34,9 +33,12 @@ PaintPanel::PaintPanel(Document& document, Brush& brush, QWidget* parent)
       m_ratio(stiffnessField(
           tr("How many times stiffer the painted part is along its direction; ×1 is the same as everywhere."),
           this)),
-      m_direction(new QComboBox(this)),
+      m_direction(choiceBox(
+          this, "", tr("Stiff direction"),
+          tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "
+             "an axis, numbers, or the path of the selected pin where it is nearest."),
+          {}, &PaintPanel::chooseDirection)),
       m_numbersRow(new QWidget(this)) {
-    m_phi->setName(tr("What the brush paints"));
     makeControls();
     arrange();
     setDimension(2);
@@ -45,11 +47,9 @@ PaintPanel::PaintPanel(Document& document, Brush& brush, QWidget* parent)
 }
 
 void PaintPanel::makeControls() {
+    m_phi->setName(tr("What the brush paints"));
     m_ratio->setObjectName(QStringLiteral("brushRatio"));
     fitToEntries(m_direction, 150);
-    describe(m_direction, tr("Stiff direction"),
-             tr("The direction at rest, which turns with the shape: the stroke's own, the one that is there, "
-                "an axis, numbers, or the path of the selected pin where it is nearest."));
     auto* row = new QHBoxLayout(m_numbersRow);
     row->setContentsMargins(0, 0, 0, 0);
     m_numbers =
@@ -91,14 +91,12 @@ void PaintPanel::connectControls() {
             [this](double phi) { change([&](BrushSettings& brush) { brush.phi = phi; }); });
     connect(m_ratio, &QDoubleSpinBox::valueChanged, this,
             [this] { change([&](BrushSettings& brush) { brush.ratio = m_ratio->exact(); }); });
-    connect(m_direction, &QComboBox::activated, this, &PaintPanel::chooseDirection);
-    for (ExactBox* box : m_numbers)
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-            change([&](BrushSettings& brush) {
-                brush.along = StiffAlong::Axis;
-                for (int k = 0; k < 3; ++k) brush.axis[k] = m_numbers[k]->exact();
-            });
+    whenChanged(m_numbers, this, [this] {
+        change([&](BrushSettings& brush) {
+            brush.along = StiffAlong::Axis;
+            for (int k = 0; k < 3; ++k) brush.axis[k] = m_numbers[k]->exact();
         });
+    });
 }
 
 void PaintPanel::setDimension(int dimension) {

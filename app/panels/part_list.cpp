@@ -1,10 +1,8 @@
 #include "app/panels/part_list.h"
 
-#include <QComboBox>
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QLocale>
-#include <QToolButton>
 #include <QWidget>
 #include <algorithm>
 #include <array>
@@ -12,10 +10,10 @@
 #include "app/engine/motion/playback.h"
 #include "app/engine/shape/mesh_parts.h"
 #include "app/engine/shape/shape.h"
-#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
-#include "app/panels/part_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/edits/part_edits.h"
 #include "app/session/shape_motion.h"
@@ -77,42 +75,31 @@ class PartOrderRow : public QWidget {
 
     Document& m_document;
     Playback& m_playback;
-    QToolButton *m_front, *m_back, *m_never;
+    QToolButton* m_never = nullptr;
     QLabel* m_times;
     int m_part = -1;
 };
 
 PartOrderRow::PartOrderRow(Document& document, Playback& playback, QWidget* parent)
-    : QWidget(parent),
-      m_document(document),
-      m_playback(playback),
-      m_front(new QToolButton(this)),
-      m_back(new QToolButton(this)),
-      m_never(new QToolButton(this)),
-      m_times(secondLabel({}, this)) {
-    const auto chip = [](QToolButton* button, const char* id, const QString& text, const QString& help) {
-        button->setObjectName(QString::fromLatin1(id));
-        button->setText(text);
-        button->setProperty("role", "chip");
-        describe(button, text, help);
-    };
-    chip(m_front, "partFrontFromHere", tr("In Front from Here"),
-         tr("From the shown time on the part is in front of all others; before, it stays where it is."));
-    chip(m_back, "partBehindFromHere", tr("Behind from Here"),
-         tr("From the shown time on the part is behind all others; before, it stays where it is."));
-    chip(m_never, "partOrderNever", tr("Never"), tr("Removes all changes of the order of this part."));
-    m_times->setObjectName(QStringLiteral("partOrderTimes"));
+    : QWidget(parent), m_document(document), m_playback(playback), m_times(secondLabel({}, this)) {
     auto* column = bareColumn(this, 6);
-    column->addLayout(sideBySide({m_front, nullptr}));
-    column->addLayout(sideBySide({m_back, nullptr}));
+    auto* front =
+        chip(this, "partFrontFromHere", tr("In Front from Here"),
+             tr("From the shown time on the part is in front of all others; before, it stays where it is."),
+             [this] { set(true); });
+    auto* back =
+        chip(this, "partBehindFromHere", tr("Behind from Here"),
+             tr("From the shown time on the part is behind all others; before, it stays where it is."),
+             [this] { set(false); });
+    m_never = chip(this, "partOrderNever", tr("Never"), tr("Removes all changes of the order of this part."),
+                   [this] {
+                       Domain domain = m_document.domain();
+                       domain.parts.at(static_cast<std::size_t>(m_part)).order.clear();
+                       m_document.changeDomain(tr("Keep the order"), std::move(domain));
+                   });
+    m_times->setObjectName(QStringLiteral("partOrderTimes"));
+    for (QToolButton* button : {front, back}) column->addLayout(sideBySide({button, nullptr}));
     column->addLayout(sideBySide({m_times, nullptr, m_never}));
-    connect(m_front, &QToolButton::clicked, this, [this] { set(true); });
-    connect(m_back, &QToolButton::clicked, this, [this] { set(false); });
-    connect(m_never, &QToolButton::clicked, this, [this] {
-        Domain domain = m_document.domain();
-        domain.parts.at(static_cast<std::size_t>(m_part)).order.clear();
-        m_document.changeDomain(tr("Keep the order"), std::move(domain));
-    });
 }
 
 void PartOrderRow::set(bool front) {
@@ -135,20 +122,11 @@ void PartOrderRow::showPart(int part) {
 }
 
 PartList::PartList(Document& document, ShapeMotion& motion, Playback& playback, QWidget* parent)
-    : QWidget(parent),
-      m_document(document),
-      m_motion(motion),
-      m_list(new QListWidget(this)),
-      m_forward(new QToolButton(this)),
-      m_backward(new QToolButton(this)),
-      m_lock(new QToolButton(this)),
-      m_opacity(new NumberBox(this)),
-      m_feather(new NumberBox(this)),
-      m_blend(new QComboBox(this)),
-      m_joined(new QComboBox(this)),
-      m_rides(new QComboBox(this)),
-      m_order(new PartOrderRow(document, playback, this)) {
-    makeControls();
+    : QWidget(parent), m_document(document), m_motion(motion), m_list(new QListWidget(this)) {
+    makeList();
+    makeChips();
+    makeFields();
+    m_order = new PartOrderRow(document, playback, this);
     auto* layout = sectionColumn(this);
     layout->addLayout(sideBySide({panelTitle(tr("Parts"), this), nullptr, m_lock, m_forward, m_backward}));
     layout->addWidget(m_list);
@@ -161,11 +139,12 @@ PartList::PartList(Document& document, ShapeMotion& motion, Playback& playback, 
     rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));
     rows->addWidget(m_order);
     layout->addWidget(m_rows);
-    connectControls();
+    connect(&m_document, &Document::projectChanged, this, &PartList::showParts);
+    connect(&m_motion, &ShapeMotion::frameChanged, this, &PartList::takeFrame);
     showParts();
 }
 
-void PartList::makeControls() {
+void PartList::makeList() {
     m_list->setObjectName(QStringLiteral("partList"));
     m_list->setFixedHeight(168);
     m_list->setIconSize({kPartIcon, kPartIcon});
@@ -183,52 +162,6 @@ void PartList::makeControls() {
     connect(rows, &PartRow::lockClicked, this, [this](int row) {
         if (row < static_cast<int>(parts().size())) lock(row, !parts()[static_cast<std::size_t>(row)].locked);
     });
-    // Words would make them wider than the column.
-    const auto chip = [this](QToolButton* button, const char* id, const char* icon, const QString& text,
-                             const QString& help) {
-        button->setObjectName(QString::fromLatin1(id));
-        button->setText(text);
-        button->setIcon(wendIcon(QString::fromLatin1(icon), palette()));
-        button->setProperty("role", "chip");
-        describe(button, text, help);
-    };
-    chip(m_forward, "partForward", "move-up", tr("Forward"),
-         tr("Brings the part in front of the next one (Alt+Up)."));
-    chip(m_backward, "partBackward", "move-down", tr("Backward"),
-         tr("Brings the part behind the next one (Alt+Down)."));
-    chip(m_lock, "partLock", "lock", tr("Lock"),
-         tr("The part is seen, but clicks go through it, and it is neither painted nor are its pins moved."));
-    m_lock->setCheckable(true);
-    m_opacity->setObjectName(QStringLiteral("partOpacity"));
-    m_opacity->setRange(0, kFullOpacity);
-    m_opacity->setDecimals(0);
-    m_opacity->setSuffix(tr(" %"));
-    describe(m_opacity, tr("Opacity"), tr("How much is seen of the part."));
-    m_feather->setObjectName(QStringLiteral("partFeather"));
-    m_feather->setRange(0, kWidestEdge);
-    m_feather->setDecimals(1);
-    m_feather->setSuffix(tr(" px"));
-    describe(m_feather, tr("Soft edge"),
-             tr("How wide the edge is along which the part was cut out. The colours of what is behind it "
-                "are removed from it."));
-    m_blend->setObjectName(QStringLiteral("partBlend"));
-    for (const BlendMode mode : kModes) m_blend->addItem(nameOf(mode));
-    describe(m_blend, tr("Blend mode"),
-             tr("How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen "
-                "and Add "
-                "lighten, as light does."));
-    m_joined->setObjectName(QStringLiteral("partJoined"));
-    describe(
-        m_joined, tr("Joined to"),
-        tr("Welds the part to another one in the middle of where they overlap at rest: it turns there, and "
-           "pulls nothing else."));
-    m_rides->setObjectName(QStringLiteral("partRides"));
-    describe(m_rides, tr("Rides on"),
-             tr("The part follows the motion of another one, as eyes do on a face."));
-}
-
-void PartList::connectControls() {
-    connect(&m_document, &Document::projectChanged, this, &PartList::showParts);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         showChosen();
         emit chosenChanged(chosen());
@@ -238,27 +171,58 @@ void PartList::connectControls() {
             [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
                 takeOrder(from, to > from ? to - 1 : to);
             });
-    connect(m_lock, &QToolButton::clicked, this, [this](bool on) {
-        if (chosen() >= 0) lock(chosen(), on);
-    });
-    connect(m_forward, &QToolButton::clicked, this, [this] { move(-1); });
-    connect(m_backward, &QToolButton::clicked, this, [this] { move(1); });
-    connect(m_opacity, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        if (chosen() < 0) return;
-        std::vector<PicturePart> next = parts();
-        next[static_cast<std::size_t>(chosen())].opacity = value / kFullOpacity;
-        change(tr("Change opacity"), std::move(next), QStringLiteral("part opacity %1").arg(chosen()));
-    });
-    connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        if (chosen() < 0) return;
-        std::vector<PicturePart> next = parts();
-        next[static_cast<std::size_t>(chosen())].feather = value;
-        change(tr("Change soft edge"), std::move(next), QStringLiteral("part feather %1").arg(chosen()));
-    });
-    connect(m_blend, &QComboBox::activated, this, &PartList::blend);
-    connect(&m_motion, &ShapeMotion::frameChanged, this, &PartList::takeFrame);
-    connect(m_joined, &QComboBox::textActivated, this, &PartList::join);
-    connect(m_rides, &QComboBox::textActivated, this, &PartList::ride);
+}
+
+void PartList::makeChips() {
+    m_forward = chip(this, "partForward", tr("Forward"),
+                     tr("Brings the part in front of the next one (Alt+Up)."), [this] { move(-1); });
+    m_backward = chip(this, "partBackward", tr("Backward"),
+                      tr("Brings the part behind the next one (Alt+Down)."), [this] { move(1); });
+    m_lock = chip(
+        this, "partLock", tr("Lock"),
+        tr("The part is seen, but clicks go through it, and it is neither painted nor are its pins moved."),
+        [this](bool on) {
+            if (chosen() >= 0) lock(chosen(), on);
+        });
+    // Words would make them wider than the column.
+    for (const auto& [button, icon] :
+         {std::pair{m_forward, "move-up"}, {m_backward, "move-down"}, {m_lock, "lock"}})
+        button->setIcon(wendIcon(QString::fromLatin1(icon), palette()));
+    m_lock->setCheckable(true);
+}
+
+void PartList::makeFields() {
+    m_opacity = numberBox(this, "partOpacity", tr("Opacity"), tr("How much is seen of the part."),
+                          {0, kFullOpacity, 0, 1, tr(" %")}, [this](double value) {
+                              changeChosen(
+                                  tr("Change opacity"),
+                                  [value](PicturePart& part) { part.opacity = value / kFullOpacity; },
+                                  "part opacity %1");
+                          });
+    m_feather = numberBox(
+        this, "partFeather", tr("Soft edge"),
+        tr("How wide the edge is along which the part was cut out. The colours of what is behind it "
+           "are removed from it."),
+        {0, kWidestEdge, 1, 1, tr(" px")}, [this](double value) {
+            changeChosen(
+                tr("Change soft edge"), [value](PicturePart& part) { part.feather = value; },
+                "part feather %1");
+        });
+    QStringList modes;
+    for (const BlendMode mode : kModes) modes << nameOf(mode);
+    m_blend = choiceBox(
+        this, "partBlend", tr("Blend mode"),
+        tr("How the part is combined with what is below it: Multiply darkens, as a shadow does; Screen "
+           "and Add lighten, as light does."),
+        modes, &PartList::blend);
+    m_joined = choiceBox(
+        this, "partJoined", tr("Joined to"),
+        tr("Welds the part to another one in the middle of where they overlap at rest: it turns there, and "
+           "pulls nothing else."),
+        {}, &PartList::join);
+    m_rides = choiceBox(this, "partRides", tr("Rides on"),
+                        tr("The part follows the motion of another one, as eyes do on a face."), {},
+                        &PartList::ride);
 }
 
 const std::vector<PicturePart>& PartList::parts() const {
@@ -275,6 +239,15 @@ void PartList::change(const QString& step, std::vector<PicturePart> next, const 
     Domain domain = m_document.domain();
     domain.parts = std::move(next);
     m_document.changeDomain(step, std::move(domain), key);
+}
+
+/// Changes the chosen part. Consecutive changes with one key merge; %1 of it is the part.
+template <class Change>
+void PartList::changeChosen(const QString& step, const Change& change, const char* key) {
+    if (chosen() < 0) return;
+    std::vector<PicturePart> next = parts();
+    change(next[static_cast<std::size_t>(chosen())]);
+    this->change(step, std::move(next), QString::fromLatin1(key).arg(chosen()));
 }
 
 void PartList::showParts() {
@@ -342,9 +315,8 @@ void PartList::showChosen() {
     allow(m_backward, part >= 0 && part + 1 < m_list->count(), tr("Choose a part that is not at the back."));
     if (part < 0) return;
     const PicturePart& own = parts()[static_cast<std::size_t>(part)];
-    const QSignalBlocker quiet(m_opacity), also(m_feather);
-    m_opacity->setValue(kFullOpacity * own.opacity);
-    m_feather->setValue(own.feather);
+    m_opacity->put(kFullOpacity * own.opacity);
+    m_feather->put(own.feather);
     m_featherRow->setVisible(!own.cutFrom.empty());
     m_order->showPart(part);
     showBlend();
@@ -431,12 +403,13 @@ void PartList::blend(int mode) {
     change(tr("Change blend mode"), std::move(next));
 }
 
-void PartList::join(const QString& to) {
+void PartList::join(int place) {
     if (chosen() < 0) return;
+    const QString to = m_joined->itemText(place);
     std::vector<PicturePart> next = parts();
     PicturePart& own = next[static_cast<std::size_t>(chosen())];
     own.joints.clear();
-    if (m_joined->currentIndex() > 0) {
+    if (place > 0) {
         const auto frame = m_motion.frame<2>();
         const auto place = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
         if (!place) {
@@ -448,10 +421,11 @@ void PartList::join(const QString& to) {
     change(own.joints.empty() ? tr("Remove joint") : tr("Join parts"), std::move(next));
 }
 
-void PartList::ride(const QString& on) {
+void PartList::ride(int place) {
     if (chosen() < 0) return;
+    const QString on = m_rides->itemText(place);
     std::vector<PicturePart> next = parts();
-    next[static_cast<std::size_t>(chosen())].ridesOn = m_rides->currentIndex() > 0 ? on.toStdString() : "";
+    next[static_cast<std::size_t>(chosen())].ridesOn = place > 0 ? on.toStdString() : "";
     change(tr("Change what a part rides on"), std::move(next));
 }
 

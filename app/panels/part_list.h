@@ -14,9 +14,11 @@ class QToolButton;
 
 namespace wend {
 
-class NumberBox;
+class Document;
+class ExactBox;
 class PartOrderRow;
-class ShapeSession;
+class Playback;
+class ShapeMotion;
 struct Image;
 struct Texture;
 
@@ -41,8 +43,9 @@ class PartList : public QWidget {
   private:
     const std::vector<PicturePart>& parts() const;
     int chosen() const;
-    void makeControls();
-    void connectControls();
+    void makeList();
+    void makeChips();
+    void makeFields();
     void showParts();
     void showChosen();
     void showPictures();
@@ -55,17 +58,19 @@ class PartList : public QWidget {
     void lock(int part, bool locked);
     void move(int by);
     void change(const QString& step, std::vector<PicturePart> parts, const QString& key = {});
+    template <class Change>
+    void changeChosen(const QString& step, const Change& change, const char* key);
     void blend(int mode);
-    void join(const QString& to);
-    void ride(const QString& on);
+    void join(int place);
+    void ride(int place);
 
     Document& m_document;
     ShapeMotion& m_motion;
     QListWidget* m_list;
-    QToolButton *m_forward, *m_backward, *m_lock;
-    NumberBox *m_opacity, *m_feather;
-    QComboBox *m_blend, *m_joined, *m_rides;
-    PartOrderRow* m_order;
+    QToolButton *m_forward = nullptr, *m_backward = nullptr, *m_lock = nullptr;
+    ExactBox *m_opacity = nullptr, *m_feather = nullptr;
+    QComboBox *m_blend = nullptr, *m_joined = nullptr, *m_rides = nullptr;
+    PartOrderRow* m_order = nullptr;
     QWidget *m_rows = nullptr, *m_featherRow = nullptr;
     std::shared_ptr<const Texture> m_texture;  // that the pictures are of
     /// Those of the pictures that are shown: making one takes milliseconds.

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/base/connect_each.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/edits/handle_edits.h"
@@ -59,9 +60,8 @@ PinList::PinList(ShapeSession& session, QWidget* parent)
     layout->setSpacing(8);
     layout->addWidget(panelTitle(tr("Pins"), this));
     layout->addWidget(m_list);
-    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &PinList::takeSelection);
-    connect(m_list, &QTreeWidget::currentItemChanged, this, &PinList::takeSelection);
-    connect(m_list, &QTreeWidget::itemClicked, this, &PinList::takeSelection);
+    connectEach(this, &PinList::takeSelection, m_list, &QTreeWidget::itemSelectionChanged, m_list,
+                &QTreeWidget::currentItemChanged, m_list, &QTreeWidget::itemClicked);
     connect(m_list, &QTreeWidget::itemChanged, this, &PinList::rename);
     connect(m_list, &QTreeWidget::itemCollapsed, this,
             [this](QTreeWidgetItem* item) { m_folded.insert(item->text(Name)); });

@@ -6,13 +6,12 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
-#include <QToolButton>
 
-#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 #include "app/panels/fields/region_numbers.h"
-#include "app/panels/layer_items.h"
+#include "app/panels/list_items.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/layer_edits.h"
@@ -57,54 +56,64 @@ RegionList::RegionList(Document& document, Selection& selection, ShapeMotion& mo
                      : tr("Nothing has an order of its own: brush over what should lie in front or behind."),
           this)),
       m_list(new QListWidget(this)),
-      m_value(new ExactBox(this)),
-      m_add(new QToolButton(this)),
-      m_remove(new QToolButton(this)),
       m_shape(new QWidget(this)),
-      m_numbers(new RegionNumbers(RegionNumbers::Radius::Here, m_shape)),
-      m_feather(new MagnitudeBox(m_shape)),
       m_note(secondLabel({}, this)) {
+    makeList();
     makeControls();
     makeAddMenu();
     arrange();
-    connectControls();
+    connect(&m_document, &Document::projectChanged, this, &RegionList::showLayers);
+    connect(&m_selection, &Selection::changed, this, &RegionList::allowSelected);
     showLayers();
 }
 
-void RegionList::makeControls() {
-    const QString id = isDetail() ? QStringLiteral("detail") : QStringLiteral("depth");
-    m_list->setObjectName(id + QStringLiteral("Regions"));
+void RegionList::makeList() {
+    m_list->setObjectName(isDetail() ? QStringLiteral("detailRegions") : QStringLiteral("depthRegions"));
     m_list->setFixedHeight(96);
     m_list->setItemDelegate(new ValueDelegate(m_list));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     describe(m_list, isDetail() ? tr("Where the mesh is finer or coarser") : tr("What lies in front"),
              tr("The strokes and regions so far; where two overlap, the upper one counts. A click shows "
                 "where it lies and its number, a double-click changes its name."));
+    connect(m_list, &QListWidget::currentRowChanged, this, &RegionList::showChosen);
+    connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
+}
+
+void RegionList::makeControls() {
     const Range range = option(isDetail() ? "domain.sizes[].factor" : "depth[].order").range;
-    const double unit = isDetail() ? kPercent : 1;
-    m_value->setObjectName(id + QStringLiteral("Value"));
-    m_value->setRange(unit * range.min, unit * range.max);
-    m_value->setDecimals(isDetail() ? 0 : 1);
-    m_value->setSuffix(isDetail() ? tr(" %") : QString());
-    m_value->setSingleStep(isDetail() ? 10 : 1);
-    describe(m_value, isDetail() ? tr("Length of edges") : tr("Order"),
-             isDetail()
-                 ? tr("How long edges are there, compared with elsewhere: less is finer, more is coarser.")
-                 : tr("Greater than 0 lies in front, less than 0 behind."));
-    m_remove->setObjectName(id + QStringLiteral("Remove"));
-    m_remove->setText(tr("Remove"));
-    describe(m_remove, tr("Remove"), tr("Removes the chosen region."));
-    m_add->setObjectName(id + QStringLiteral("Add"));
-    m_add->setText(tr("Add"));
+    const auto change = [this] {
+        const double value = m_value->exact() / (isDetail() ? kPercent : 1);
+        this->change(isDetail() ? tr("Change edges") : tr("Change order"),
+                     withLayer(layers(), chosenId(), [&](ValueLayer& layer) { layer.value = value; }),
+                     QStringLiteral("layer value %1").arg(qulonglong(chosenId())));
+    };
+    m_value = isDetail()
+                  ? numberBox(this, "detailValue", tr("Length of edges"),
+                              tr("How long edges are there, compared with elsewhere: less is finer, more "
+                                 "is coarser."),
+                              {kPercent * range.min, kPercent * range.max, 0, 10, tr(" %")}, change)
+                  : numberBox(this, "depthValue", tr("Order"),
+                              tr("Greater than 0 lies in front, less than 0 behind."),
+                              {range.min, range.max, 1}, change);
+    m_add = new QToolButton(this);
+    say(m_add, isDetail() ? "detailAdd" : "depthAdd", tr("Add"),
+        tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
+           "its numbers can then be changed."),
+        tr("Add region"));
     m_add->setPopupMode(QToolButton::InstantPopup);
-    describe(m_add, tr("Add region"),
-             tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
-                "its numbers can then be changed."));
-    for (QToolButton* button : {m_add, m_remove}) button->setProperty("role", "chip");
-    m_feather->setRange(0, 1e9);
-    m_feather->setObjectName(id + QStringLiteral("Feather"));
-    describe(m_feather, tr("Soft edge"),
-             tr("Over what width the size blends into that around it, in the file's units."));
+    m_add->setProperty("role", "chip");
+    m_remove = chip(this, isDetail() ? "detailRemove" : "depthRemove", tr("Remove"),
+                    tr("Removes the chosen region."),
+                    [this] { this->change(tr("Remove region"), withoutLayer(layers(), chosenId())); });
+    m_numbers = new RegionNumbers(RegionNumbers::Radius::Here, m_shape);
+    connect(m_numbers, &RegionNumbers::changed, this,
+            [this](const Region<3>& shape) { changeShape(shape, m_feather->value()); });
+    m_feather = numberBox<MagnitudeBox>(
+        this, isDetail() ? "detailFeather" : "depthFeather", tr("Soft edge"),
+        tr("Over what width the size blends into that around it, in the file's units."), {0, 1e9, -1},
+        [this](double feather) {
+            if (const ValueLayer* own = layer()) changeShape(own->regions.front().shape, feather);
+        });
 }
 
 void RegionList::makeAddMenu() {
@@ -135,26 +144,6 @@ void RegionList::arrange() {
     shape->addLayout(panelRow(tr("Soft ed&ge"), m_feather, m_shape));
     layout->addWidget(m_shape);
     layout->addWidget(m_note);
-}
-
-void RegionList::connectControls() {
-    connect(&m_document, &Document::projectChanged, this, &RegionList::showLayers);
-    connect(&m_selection, &Selection::changed, this, &RegionList::allowSelected);
-    connect(m_list, &QListWidget::currentRowChanged, this, &RegionList::showChosen);
-    connect(m_list, &QListWidget::itemChanged, this, &RegionList::rename);
-    connect(m_value, &QDoubleSpinBox::valueChanged, this, [this] {
-        const double value = m_value->exact() / (isDetail() ? kPercent : 1);
-        change(isDetail() ? tr("Change edges") : tr("Change order"),
-               withLayer(layers(), chosenId(), [&](ValueLayer& layer) { layer.value = value; }),
-               QStringLiteral("layer value %1").arg(qulonglong(chosenId())));
-    });
-    connect(m_remove, &QToolButton::clicked, this,
-            [this] { change(tr("Remove region"), withoutLayer(layers(), chosenId())); });
-    connect(m_numbers, &RegionNumbers::changed, this,
-            [this](const Region<3>& shape) { changeShape(shape, m_feather->value()); });
-    connect(m_feather, &QDoubleSpinBox::valueChanged, this, [this](double feather) {
-        if (const ValueLayer* own = layer()) changeShape(own->regions.front().shape, feather);
-    });
 }
 
 void RegionList::change(const QString& step, ValueLayers layers, const QString& key) {

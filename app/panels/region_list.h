@@ -45,7 +45,7 @@ class RegionList : public QWidget {
     void makeControls();
     void makeAddMenu();
     void arrange();
-    void connectControls();
+    void makeList();
     void showLayers();
     void showNotes();
     void showChosen();
@@ -71,12 +71,12 @@ class RegionList : public QWidget {
     QLabel* m_none;
     QListWidget* m_list;
     QWidget* m_row = nullptr;  // of the value
-    ExactBox* m_value;
-    QToolButton *m_add, *m_remove;
+    ExactBox* m_value = nullptr;
+    QToolButton *m_add = nullptr, *m_remove = nullptr;
     QAction* m_addSelected = nullptr;
     QWidget* m_shape;  // of a layer that is one region of a solid
-    RegionNumbers* m_numbers;
-    MagnitudeBox* m_feather;
+    RegionNumbers* m_numbers = nullptr;
+    MagnitudeBox* m_feather = nullptr;
     QLabel* m_note;
 };
 

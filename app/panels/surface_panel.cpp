@@ -1,12 +1,10 @@
 #include "app/panels/surface_panel.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
-#include <QPushButton>
-#include <QToolButton>
 #include <algorithm>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
@@ -18,29 +16,13 @@ SurfacePanel::SurfacePanel(QWidget* parent)
       m_title(panelTitle({}, this)),
       m_text(secondLabel({}, this)),
       m_case(secondLabel({}, this)),
-      m_fixText(secondLabel({}, this)),
-      m_kind(new QComboBox(this)),
-      m_previous(new QToolButton(this)),
-      m_next(new QToolButton(this)),
-      m_show(new QPushButton(tr("Show them"), this)),
-      m_save(new QPushButton(tr("Save list…"), this)),
-      m_fix(new QPushButton(tr("Fix this one"), this)),
-      m_fixAll(new QPushButton(tr("Fix all"), this)),
-      m_preview(new QPushButton(tr("See the repair"), this)),
-      m_repair(new QPushButton(tr("Repair"), this)),
-      m_fit(new QPushButton(this)),
-      m_fillUp(new QPushButton(this)),
-      m_hole(new OptionField("domain.repair.largestHole", this)) {
-    m_previous->setArrowType(Qt::LeftArrow);
-    m_next->setArrowType(Qt::RightArrow);
+      m_fixText(secondLabel({}, this)) {
+    makeSteps();
+    makeFixes();
+    makeRepair();
     m_case->setAlignment(Qt::AlignCenter);
     m_fixText->setMinimumHeight(3 * fontMetrics().lineSpacing());  // buttons below stay where they are
-    m_show->setCheckable(true);
-    m_preview->setCheckable(true);
-    m_fillUp->setObjectName(QStringLiteral("fillUp"));
     arrange();
-    describeControls();
-    connectControls();
 }
 
 void SurfacePanel::arrange() {
@@ -63,53 +45,68 @@ void SurfacePanel::arrange() {
     layout->addWidget(m_fit);
 }
 
-void SurfacePanel::describeControls() {
-    describe(m_kind, tr("What is wrong"), tr("The kinds of faults, and how often each occurs."));
-    describe(m_previous, tr("Previous place"), tr("Goes to the previous place where this is wrong."));
-    describe(m_next, tr("Next place"), tr("Goes to the next place where this is wrong."));
-    describe(m_show, tr("Show the triangles"),
-             tr("Colours the triangles that are wrong and shows them: what hides them is left out."));
-    describe(m_save, tr("Save the list"),
-             tr("Writes the numbers of all wrong triangles and edges to a file."));
-    describe(m_fix, m_fix->text(),
-             tr("Fixes only what is shown: what it adds is green, what it takes away or turns is yellow."));
-    describe(m_preview, m_preview->text(),
-             tr("Shows the surface as the repair would leave it: what it adds in green, what stays wrong in "
-                "red."));
-    describe(m_repair, tr("Repair"),
-             tr("Merges coincident points, drops degenerate and duplicate triangles, orients the others and "
-                "fills small holes."));
+/// Makes the choice of a kind of faults, and the steps through those of this kind.
+void SurfacePanel::makeSteps() {
+    m_kind = choiceBox(this, "", tr("What is wrong"), tr("The kinds of faults, and how often each occurs."),
+                       {}, [this] {
+                           m_number = 0;
+                           step(0);
+                       });
+    m_previous = buttonFor<QToolButton>(
+        this, "", {}, tr("Goes to the previous place where this is wrong."), [this] { step(-1); },
+        tr("Previous place"));
+    m_previous->setArrowType(Qt::LeftArrow);
+    m_next = buttonFor<QToolButton>(
+        this, "", {}, tr("Goes to the next place where this is wrong."), [this] { step(1); },
+        tr("Next place"));
+    m_next->setArrowType(Qt::RightArrow);
 }
 
-void SurfacePanel::connectControls() {
-    connect(m_kind, &QComboBox::activated, this, [this] {
-        m_number = 0;
-        step(0);
-    });
-    connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
-    connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
-    connect(m_show, &QPushButton::clicked, this, [this](bool on) {
-        m_preview->setChecked(false);
-        if (on)
-            step(0);
-        else
-            emit solidWanted();
-    });
-    connect(m_save, &QPushButton::clicked, this, &SurfacePanel::saveRequested);
-    connect(m_fix, &QPushButton::clicked, this, &SurfacePanel::fixRequested);
-    connect(m_fixAll, &QPushButton::clicked, this, &SurfacePanel::fixAllRequested);
+void SurfacePanel::makeFixes() {
+    m_fix = pushButton(this, "", tr("Fix this one"),
+                       tr("Fixes only what is shown: what it adds is green, what it takes away or turns is "
+                          "yellow."),
+                       &SurfacePanel::fixRequested);
+    m_fixAll = pushButton(this, "", tr("Fix all"), {}, &SurfacePanel::fixAllRequested);
     m_fixAll->installEventFilter(this);
-    connect(m_preview, &QPushButton::clicked, this, [this](bool on) {
-        m_show->setChecked(!on && !m_contents.isCaged);
-        emit repairShown(on);
-    });
-    connect(m_repair, &QPushButton::clicked, this, [this] { emit repairRequested(largestHole()); });
+    m_show = pushButton(
+        this, "", tr("Show them"),
+        tr("Colours the triangles that are wrong and shows them: what hides them is left "
+           "out."),
+        [this](bool on) {
+            m_preview->setChecked(false);
+            if (on)
+                step(0);
+            else
+                emit solidWanted();
+        },
+        tr("Show the triangles"));
+    m_show->setCheckable(true);
+    m_save = pushButton(this, "", tr("Save list…"),
+                        tr("Writes the numbers of all wrong triangles and edges to a file."),
+                        &SurfacePanel::saveRequested, tr("Save the list"));
+}
+
+void SurfacePanel::makeRepair() {
+    m_hole = new OptionField("domain.repair.largestHole", this);
     connect(m_hole, &OptionField::changed, this, [this] { emit limitChanged(largestHole()); });
-    connect(m_fillUp, &QPushButton::clicked, this, [this] {
+    m_fillUp = pushButton(this, "fillUp", {}, {}, [this] {
         m_hole->setNumber(m_edges);
         emit limitChanged(largestHole());
     });
-    connect(m_fit, &QPushButton::clicked, this, [this] { emit fitRequested(!m_contents.isCaged); });
+    m_preview = pushButton(this, "", tr("See the repair"),
+                           tr("Shows the surface as the repair would leave it: what it adds in green, what "
+                              "stays wrong in red."),
+                           [this](bool on) {
+                               m_show->setChecked(!on && !m_contents.isCaged);
+                               emit repairShown(on);
+                           });
+    m_preview->setCheckable(true);
+    m_repair = pushButton(this, "", tr("Repair"),
+                          tr("Merges coincident points, drops degenerate and duplicate triangles, orients "
+                             "the others and fills small holes."),
+                          [this] { emit repairRequested(largestHole()); });
+    m_fit = pushButton(this, "", {}, {}, [this] { emit fitRequested(!m_contents.isCaged); });
 }
 
 bool SurfacePanel::eventFilter(QObject* watched, QEvent* event) {

@@ -70,8 +70,9 @@ class SurfacePanel : public QWidget {
 
   private:
     void arrange();
-    void describeControls();
-    void connectControls();
+    void makeSteps();
+    void makeFixes();
+    void makeRepair();
     void step(int by);
     void tellCase();
     void offer(QPushButton* button, bool offered);

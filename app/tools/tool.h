@@ -12,7 +12,7 @@
 
 namespace wend {
 
-class CurveEditing;
+class CurveEditor;
 
 /// The subject of a context menu.
 enum class MenuPlace { None, Canvas, Handle, Curve };
@@ -65,7 +65,7 @@ class Tool {
     /// Returns the kind of menu for this place, which the tool remembers.
     virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// The curve that it edits; null if it edits none.
-    virtual CurveEditing* curve() { return nullptr; }
+    virtual CurveEditor* curve() { return nullptr; }
     /// A drag of the left button moves the view, as with the space bar.
     virtual bool pans() const { return false; }
     /// Returns whether the tool shows a manipulator around the selection.

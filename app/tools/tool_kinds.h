@@ -8,6 +8,9 @@ namespace wend {
 ToolKind panTool();
 ToolKind cropTool();
 ToolKind penTool();
+ToolKind gradientTool();
+ToolKind fillTool();
+ToolKind eyedropperTool();
 ToolKind grabByLassoTool();
 ToolKind grabByBoxTool();
 ToolKind grabByBrushTool();

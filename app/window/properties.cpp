@@ -31,7 +31,6 @@
 #include "app/panels/part_list.h"
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
-#include "app/panels/region_panel.h"
 #include "app/panels/surface_panel.h"
 #include "app/style/theme.h"
 #include "app/window/actions/toolbox.h"

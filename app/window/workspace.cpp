@@ -110,7 +110,7 @@ Viewport* Workspace::viewport() const {
     return solid ? &solid->viewport() : nullptr;
 }
 
-CurveEditing* Workspace::curve() const {
+CurveEditor* Workspace::curve() const {
     const Viewport* view = viewport();
     return view && view->tool() ? view->tool()->curve() : nullptr;
 }

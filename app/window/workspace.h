@@ -60,7 +60,7 @@ class Workspace : public QObject {
     ~Workspace() override;
 
     /// The curve that the chosen tool edits; null if it edits none.
-    CurveEditing* curve() const;
+    CurveEditor* curve() const;
 
   private:
     Viewport* viewport() const;

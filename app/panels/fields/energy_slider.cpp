@@ -7,12 +7,12 @@
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSlider>
-#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/picture_tip.h"
 #include "app/style/colours.h"
@@ -81,8 +81,15 @@ EnergySlider::EnergySlider(QWidget* parent, Stops stops)
 }
 
 void EnergySlider::makeStop(int stop) {
-    auto* label = new QToolButton(this);
-    label->setText(m_scale.stops()[stop].name);
+    const EnergyStop& own = m_scale.stops()[stop];
+    auto* label = buttonFor<QToolButton>(
+        this, "", own.name, own.shortHelp,
+        [this, stop] {
+            ++m_gesture;
+            m_slider->setValue(stop * kStepsPerStop);
+            setPhi(m_phi);
+        },
+        own.name);
     label->setCheckable(true);
     label->setFocusPolicy(Qt::TabFocus);
     label->setProperty("role", m_stops == Stops::Tiles ? QStringLiteral("tile") : QStringLiteral("stop"));
@@ -93,13 +100,7 @@ void EnergySlider::makeStop(int stop) {
         label->installEventFilter(this);
         label->setProperty("long", isLong(label->text()));
     }
-    describe(label, m_scale.stops()[stop].name, m_scale.stops()[stop].shortHelp);
     showInTip(label, [stop] { return QList<TipPicture>{energyPicture(stop)}; });
-    connect(label, &QToolButton::clicked, this, [this, stop] {
-        ++m_gesture;
-        m_slider->setValue(stop * kStepsPerStop);
-        setPhi(m_phi);
-    });
     m_labels[stop] = label;
     if (m_stops == Stops::Tiles)  // read once
         m_samples[stop] = QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[stop])));

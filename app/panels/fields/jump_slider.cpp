@@ -6,6 +6,14 @@
 
 namespace wend {
 
+JumpSlider::JumpSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+    connect(this, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(this, &QSlider::valueChanged, this, [this](int value) {
+        if (!isSliderDown()) ++m_gesture;
+        emit moved(value, m_gesture);
+    });
+}
+
 QRect JumpSlider::way() const {
     QStyleOptionSlider option;
     initStyleOption(&option);

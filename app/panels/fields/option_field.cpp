@@ -10,7 +10,7 @@
 #include <QStandardItemModel>
 #include <cmath>
 
-#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
 
@@ -78,8 +78,7 @@ QString OptionField::wordsFor(const QString& choice) const {
 }
 
 void OptionField::makeFlag() {
-    m_check = new QCheckBox(this);
-    connect(m_check, &QCheckBox::toggled, this, &OptionField::changed);
+    m_check = checkBox(this, "", {}, {}, &OptionField::changed);
 }
 
 /// Makes a combo box. Options without choices show the words of their indices.

@@ -1,10 +1,9 @@
 #include "app/panels/fields/region_numbers.h"
 
-#include <QComboBox>
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/fields/number_boxes.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 
 namespace wend {
@@ -39,29 +38,25 @@ int digitsFor(double diagonal) {
 
 RegionNumbers::RegionNumbers(Radius radius, QWidget* parent)
     : QWidget(parent),
-      m_kind(new QComboBox(this)),
+      m_kind(choiceBox(this, "", tr("Kind of region"),
+                       tr("What the region is; another kind keeps its place."),
+                       {tr("Ball"), tr("Box"), tr("Half-space")}, &RegionNumbers::chooseKind)),
       m_firstName(secondLabel({}, this)),
       m_secondName(secondLabel({}, this)),
       m_hasRadius(radius == Radius::Here) {
     makeControls();
     arrange();
-    connect(m_kind, &QComboBox::activated, this, &RegionNumbers::chooseKind);
-    for (ExactBox* box :
-         {m_radius, m_first[0], m_first[1], m_first[2], m_second[0], m_second[1], m_second[2]})
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this] { emit changed(numbers()); });
 }
 
 void RegionNumbers::makeControls() {
-    m_kind->addItems({tr("Ball"), tr("Box"), tr("Half-space")});
     fitToEntries(m_kind);
-    describe(m_kind, tr("Kind of region"), tr("What the region is; another kind keeps its place."));
-    for (Numbers* boxes : {&m_first, &m_second})
+    const auto tell = [this] { emit changed(numbers()); };
+    for (ThreeBoxes* boxes : {&m_first, &m_second}) {
         *boxes = coordinateBoxes(1e9, 4, tr("Numbers of the region"),
                                  tr("As x, y and z, in the coordinates of the rest shape."), this);
-    m_radius = new ExactBox(this);
-    m_radius->setRange(1e-9, 1e9);
-    m_radius->setDecimals(4);
-    describe(m_radius, tr("Radius"), tr("The radius of the ball."));
+        whenChanged(*boxes, this, tell);
+    }
+    m_radius = numberBox(this, "", tr("Radius"), tr("The radius of the ball."), {1e-9, 1e9, 4}, tell);
 }
 
 void RegionNumbers::arrange() {

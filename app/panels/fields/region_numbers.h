@@ -32,7 +32,7 @@ class RegionNumbers : public QWidget {
     void changed(const wend::Region<3>& region);
 
   private:
-    using Numbers = std::array<ExactBox*, 3>;
+    using ThreeBoxes = std::array<ExactBox*, 3>;
     void makeControls();
     void arrange();
     void chooseKind(int kind);
@@ -43,7 +43,7 @@ class RegionNumbers : public QWidget {
     double m_diagonal = 1;
     QComboBox* m_kind;
     QLabel *m_firstName, *m_secondName;
-    Numbers m_first, m_second;
+    ThreeBoxes m_first, m_second;
     QWidget* m_radiusRow;
     ExactBox* m_radius;
     bool m_hasRadius;

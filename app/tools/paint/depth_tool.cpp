@@ -4,7 +4,7 @@
 
 #include "app/project/edits/value_edits.h"
 #include "app/style/colours.h"
-#include "app/tools/paint/depth_marks.h"
+#include "app/tools/picture_marks.h"
 
 namespace wend {
 

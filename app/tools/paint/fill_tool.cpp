@@ -1,14 +1,50 @@
-#include "app/tools/paint/fill_tool.h"
-
 #include <QCoreApplication>
 
+#include "app/engine/motion/edited_material.h"
 #include "app/project/design.h"
 #include "app/session/brush.h"
 #include "app/style/marks.h"
+#include "app/tools/key_cross.h"
 #include "app/tools/paint/brush_paint.h"
+#include "app/tools/tool_kind.h"
+#include "app/tools/tool_kinds.h"
 #include "core/base/error.h"
 
 namespace wend {
+
+enum class FillDeed { Fill, Pick };
+
+/// Fills the connected area under a click with the paint of the brush, with Shift the whole shape; or picks
+/// up the material.
+class FillTool : public ShapeTool<> {
+  public:
+    using Deed = FillDeed;
+    FillTool(ShapeView& view, Brush& brush, Deed deed) : ShapeTool<>(view), m_brush(brush), m_deed(deed) {}
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::PointingHandCursor; }
+    void press(const QMouseEvent& event) override;
+    void move(const QMouseEvent& event) override;
+    void release(const QMouseEvent&) override {}
+    bool key(const QKeyEvent& event) override { return m_cross.clicks(event, view(), *this); }
+    void cancel() override {}
+    void leave() override {
+        m_over = false;
+        m_cross.hide();
+    }
+    void paint(QPainter& painter) const override;
+
+  private:
+    void fill(int cell, Qt::KeyboardModifiers modifiers);
+    void show(Design next, const QString& step);
+    std::unique_ptr<EditedMaterial> material() const;
+
+    Brush& m_brush;
+    Deed m_deed;
+    KeyCross m_cross;
+    bool m_over = false;
+    QPointF m_at;
+};
 
 QString FillTool::hint() const {
     return m_deed == Deed::Pick

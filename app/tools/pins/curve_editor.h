@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QPainter>
+#include <optional>
 
+#include "app/project/edits/bezier_edits.h"
 #include "app/project/edits/curve_edits.h"
-#include "app/tools/pins/curve_editing.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {
@@ -13,7 +14,7 @@ QString curveHint(bool onPoint);
 
 /// The points of the curve that the one selected handle follows last: shown, chosen, dragged, added and
 /// removed. One undo step per gesture.
-class CurveEditor : public CurveEditing {
+class CurveEditor {
   public:
     explicit CurveEditor(ShapeView& view) : m_view(view) {}
 
@@ -38,12 +39,18 @@ class CurveEditor : public CurveEditing {
     /// if there is neither.
     bool pointAtForMenu(const QPointF& widget);
 
-    bool hasCurve() const override { return !points().empty(); }
-    std::optional<JointKind> chosenKind() const override;
-    bool canRemove() const override;
-    void insertPoint() override;
-    void removePoint() override;
-    void setKind(JointKind kind) override;
+    // for the menu
+    /// Returns whether there is a curve with visible points.
+    bool hasCurve() const { return !points().empty(); }
+    /// Returns the relation of the directions at the chosen point; nothing if it has only one direction, or
+    /// if no point is chosen.
+    std::optional<JointKind> chosenKind() const;
+    bool canRemove() const;
+    /// Inserts a point at the last pointed place of the curve; otherwise in the middle of the piece after the
+    /// chosen point.
+    void insertPoint();
+    void removePoint();
+    void setKind(JointKind kind);
 
     void paint(QPainter& painter, const QPointF& pointer) const;
 

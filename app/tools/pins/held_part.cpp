@@ -181,8 +181,8 @@ bool hold(View& view, const Part& part) {
     if (const auto owner = place ? ownerOf(view, *place) : std::nullopt)
         return view.session().addHandle(*place, QCoreApplication::translate("GrabTool", "Part").toStdString(),
                                         *owner) >= 0;
-    view.session().document().notify(
-        QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
+    Document& document = view.session().document();
+    document.notify(QCoreApplication::translate("GrabTool", "No part of the shape lies in this outline."));
     return false;
 }
 

@@ -53,7 +53,7 @@ class PinTool : public ShapeTool<> {
     }
     bool ownsKey(const QKeyEvent& event) const override;
     MenuPlace menuAt(const QPointF& at) override;
-    CurveEditing* curve() override { return &m_curve; }
+    CurveEditor* curve() override { return &m_curve; }
     void paint(QPainter& painter) const override;
     bool hasManipulator() const override { return placeGizmo(); }
 

@@ -9,8 +9,7 @@
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
 #include "app/style/smooth_map.h"
-#include "app/tools/paint/stiffness_marks.h"
-#include "app/tools/velocity_arrows.h"
+#include "app/tools/picture_marks.h"
 #include "app/views/shape/shape_painter.h"
 #include "core/energy/distortion.h"
 

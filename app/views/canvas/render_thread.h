@@ -11,7 +11,7 @@
 #include "app/engine/motion/frame.h"
 #include "app/engine/shape/shape.h"
 #include "app/style/colour_map.h"
-#include "app/views/canvas/moving_cells.h"
+#include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/screen_picture.h"
 #include "app/views/canvas/view_transform.h"
 #include "warp/coverage.h"

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditing*()> current, QObject* parent)
+CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditor*()> current, QObject* parent)
     : ActionMaker(parent), m_session(session), m_current(std::move(current)), m_menu(new QMenu) {
     makeActions();
     m_menu->setTitle(tr("&Curve"));
@@ -45,17 +45,17 @@ void CurveActions::makeActions() {
 void CurveActions::connectActions() {
     const auto onCurve = [this](auto what) {
         return [this, what] {
-            if (CurveEditing* curve = m_current()) what(*curve);
+            if (CurveEditor* curve = m_current()) what(*curve);
             refresh();
         };
     };
     connect(make, &QAction::triggered, this, [this] { makeCurve(m_session); });
-    connect(insert, &QAction::triggered, this, onCurve([](CurveEditing& curve) { curve.insertPoint(); }));
-    connect(remove, &QAction::triggered, this, onCurve([](CurveEditing& curve) { curve.removePoint(); }));
+    connect(insert, &QAction::triggered, this, onCurve([](CurveEditor& curve) { curve.insertPoint(); }));
+    connect(remove, &QAction::triggered, this, onCurve([](CurveEditor& curve) { curve.removePoint(); }));
     for (const auto& [action, kind] :
          {std::pair{free, JointKind::Free}, {aligned, JointKind::Aligned}, {automatic, JointKind::Automatic}})
         connect(action, &QAction::triggered, this,
-                onCurve([kind = kind](CurveEditing& curve) { curve.setKind(kind); }));
+                onCurve([kind = kind](CurveEditor& curve) { curve.setKind(kind); }));
     connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
     new CalmFollower(
         m_session.motion(), this, [this] { refresh(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
@@ -63,7 +63,7 @@ void CurveActions::connectActions() {
 }
 
 void CurveActions::refresh() {
-    const CurveEditing* curve = m_current();
+    const CurveEditor* curve = m_current();
     const bool has = curve && curve->hasCurve();
     const auto kind = has ? curve->chosenKind() : std::nullopt;
     enable(make, canMakeCurve(m_session), tr("Select one pin that was dragged along a path."));

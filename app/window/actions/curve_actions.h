@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/tools/pins/curve_editing.h"
+#include "app/tools/pins/curve_editor.h"
 #include "app/window/actions/action_maker.h"
 
 namespace wend {
@@ -17,7 +17,7 @@ class CurveActions : public ActionMaker {
 
   public:
     /// `current`: the curve of the tool that is chosen; null without one.
-    CurveActions(ShapeSession& session, std::function<CurveEditing*()> current, QObject* parent);
+    CurveActions(ShapeSession& session, std::function<CurveEditor*()> current, QObject* parent);
 
     QAction *make, *insert, *remove;
     QAction *free, *aligned, *automatic;
@@ -35,7 +35,7 @@ class CurveActions : public ActionMaker {
     void connectActions();
 
     ShapeSession& m_session;
-    std::function<CurveEditing*()> m_current;
+    std::function<CurveEditor*()> m_current;
     std::unique_ptr<QMenu> m_menu;
 };
 

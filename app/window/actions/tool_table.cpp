@@ -4,8 +4,6 @@
 #include "app/tools/mesh/outline_tool.h"
 #include "app/tools/mesh/size_tool.h"
 #include "app/tools/paint/depth_tool.h"
-#include "app/tools/paint/fill_tool.h"
-#include "app/tools/paint/gradient_tool.h"
 #include "app/tools/paint/paint_tool.h"
 #include "app/tools/pins/pin_tool.h"
 #include "app/tools/tool_kinds.h"

@@ -3,9 +3,9 @@
 #include <QLabel>
 
 #include "app/engine/motion/pose_places.h"
+#include "app/panels/handle_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
-#include "app/panels/region_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/material_edits.h"
 #include "app/tools/measure_tool.h"

@@ -5,7 +5,6 @@
 #include "app/panels/fields/number_boxes.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/layer_panel.h"
-#include "app/panels/region_panel.h"
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/material_edits.h"
@@ -218,7 +217,7 @@ void TestSpaceUpsets::framesLeaveWhatIsTyped() {
         box->selectAll();
         QTest::keyClicks(box, QStringLiteral("1.2"));
         const QString typed = box->text();
-        emit m_f->session().frameChanged();
+        emit m_f->session().motion().frameChanged();
         const bool kept = box->text() == typed;
         QTest::keyClick(box, Qt::Key_Return);
         return kept && std::abs(box->value() - 1.2) < 1e-12;

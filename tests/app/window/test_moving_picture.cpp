@@ -2,7 +2,7 @@
 #include <QPainter>
 #include <QTest>
 
-#include "app/views/canvas/drawing_pace.h"
+#include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/ground.h"
 
 using namespace wend;

@@ -277,14 +277,14 @@ void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
     };
     QCOMPARE(hint("Write"), QString("Write"));
     hint({});
-    emit m_window->session().notice("Written");
+    m_window->session().document().notify("Written");
     QCOMPARE(hint("Write"), QString("Written"));  // the pointer is on the button still
     QCOMPARE(hint("Open"), QString("Open"));
     QCOMPARE(hint("Write"), QString("Write"));
     QCOMPARE(hint({}), QString("Written"));
     // It goes with what it tells of.
     changeSetting(m_window->session().document(), "domain.vertices", 400);
-    emit m_window->session().notice("Replaced; Undo brings it back");
+    m_window->session().document().notify("Replaced; Undo brings it back");
     m_window->session().document().undoStack()->undo();
     QCOMPARE(m_window->statusBar()->currentMessage(), QString());
 }
