@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/engine/motion/fields.h"
 #include "app/views/canvas/render_thread.h"
 #include "bench/test_picture.h"
 #include "core/assembly/cpu_back_end.h"
@@ -48,7 +49,7 @@ class Screen {
         frame->rest = m_rest;
         frame->pose = kScale * pose;
         frame->distortion = std::make_shared<const Distortion>(std::move(distortion));
-        m_request.range = rangeOf(cellValues<2>(*frame, m_request.measure), m_request.measure);
+        m_request.range = rangeOf(cellValues(*frame, m_request.measure), m_request.measure);
         m_request.frame = std::move(frame);
         if (RenderThread::render(m_request).isNull()) throw std::runtime_error("nothing was drawn");
     }

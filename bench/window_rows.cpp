@@ -272,7 +272,7 @@ class Stage {
     }
     FramePtr drawn() {
         if constexpr (Dim == 3) return session().motion().frame();
-        const auto& drawn = m_window.canvas().drawn();
+        const auto& drawn = m_window.canvas().shape().drawn();
         return drawn ? FramePtr(drawn->request.frame) : FramePtr();
     }
     QPointF pin() {

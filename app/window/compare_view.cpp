@@ -396,7 +396,7 @@ void TilePictures::begin() {
     const bool moves =
         m_session.motion().isBusy() || m_session.motion().isDragging() || m_session.playback().isPlaying();
     const bool flat = m_session.document().dimension() == 2;
-    if (moves || !m_tiles.isVisible() || (flat && !m_canvas.screenPicture())) return m_idle.start();
+    if (moves || !m_tiles.isVisible() || (flat && !m_canvas.shape().screenPicture())) return m_idle.start();
     m_project = m_session.document().project();
     m_time = m_session.playback().time();
     m_made.clear();
@@ -456,7 +456,7 @@ QPixmap TilePictures::drawnSolid(const PosedFrame<3>& frame) {
 QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
     RenderRequest request;
     request.frame = posed<2>(frame);
-    request.picture = m_canvas.screenPicture();
+    request.picture = m_canvas.shape().screenPicture();
     if (request.frame->built) request.texture = request.frame->built->texture;
     request.size = EnergySlider::pictureSize();
     request.ratio = m_tiles.devicePixelRatioF();

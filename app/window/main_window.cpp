@@ -215,11 +215,11 @@ void MainWindow::connectFiles() {
     connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
     connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
     m_exporter->setLooks({[this](const QSize& size) { return m_solids->smallView(size); },
-                          [this] { return m_canvas->screenPicture(); }});
+                          [this] { return m_canvas->shape().screenPicture(); }});
     constexpr QSize kCard(720, 720);
     connect(&m_session.document(), &Document::saved, this, [this, kCard] {
         keepThumbnail(m_session.document().path(),
-                      m_solids->isActive() ? m_solids->smallView(kCard) : m_canvas->smallView(kCard));
+                      m_solids->isActive() ? m_solids->smallView(kCard) : m_canvas->shape().smallView(kCard));
     });
     m_solids->setMayReplace(
         [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
@@ -328,11 +328,11 @@ void MainWindow::connectView() {
     connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
     connect(distortion, &DistortionPanel::showWorst, this, [this] {
         m_actions->showMap->setChecked(true);
-        m_canvas->showWorst();
+        m_canvas->viewport().showWorst();
     });
     connect(distortion, &DistortionPanel::placeWanted, this, [this](const Vec<3>& at) {
         m_actions->showMap->setChecked(true);
-        m_canvas->showPlace(at.head<2>());
+        m_canvas->showPlace(at);
     });
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });

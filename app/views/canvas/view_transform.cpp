@@ -4,6 +4,11 @@
 
 namespace wend {
 
+QRectF boxOf(const Points<2>& points) {
+    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
 QPointF ViewTransform::toWidget(const Vec<2>& p) const {
     return m_origin + QPointF(p.x() * m_zoom, (m_up ? -p.y() : p.y()) * m_zoom);
 }

@@ -36,4 +36,6 @@ class ViewTransform {
     bool m_up = false;
 };
 
+QRectF boxOf(const Points<2>& points);
+
 }  // namespace wend

@@ -469,7 +469,7 @@ OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over
         if (m_reads) m_name = name;
     });
     connect(&files, &FileWorkflow::openingChanged, this, &OpeningNote::refresh, Qt::QueuedConnection);
-    connect(&m_canvas, &ShapeCanvas::prepared, this, &OpeningNote::refresh);
+    connect(&m_canvas.shape(), &DrawnShape::prepared, this, &OpeningNote::refresh);
 }
 
 void OpeningNote::showText(const QString& text) {
@@ -496,7 +496,7 @@ bool OpeningNote::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void OpeningNote::refresh() {
-    showText(m_reads || m_canvas.isPreparing() ? tr("Opening %1 …").arg(m_name) : QString());
+    showText(m_reads || m_canvas.shape().isPreparing() ? tr("Opening %1 …").arg(m_name) : QString());
 }
 
 }  // namespace wend

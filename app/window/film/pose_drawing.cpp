@@ -12,7 +12,7 @@ PoseDrawing::PoseDrawing(const ShapeCanvas& picture, std::function<SolidCanvas*(
 void PoseDrawing::draw(const FramePtr& frame, const QSize& size, std::function<void(const QImage&)> take) {
     if (const auto solid = posed<3>(frame))
         return take(m_solid() ? m_view.draw(*m_solid(), *solid, size) : QImage());
-    const auto request = m_picture.smallRequest(posed<2>(frame), size);
+    const auto request = m_picture.shape().smallRequest(posed<2>(frame), size);
     if (!request) return take({});
     inBackground(
         this, [request = *request] { return RenderThread::render(request); }, std::move(take));

@@ -217,7 +217,7 @@ void TestPartList::canvasIsTheExport() {
     const FrameExport frame(session.document(), session.motion().frame(), {}, 1);
     std::string remark;
     frame.write(ExportKind::Picture, path.toStdString(), {}, {}, remark);
-    const QImage file(path), drawn = canvas.drawn()->image;
+    const QImage file(path), drawn = canvas.shape().drawn()->image;
     const double ratio = drawn.devicePixelRatio();
     int compared = 0;
     std::set<QRgb> colours;

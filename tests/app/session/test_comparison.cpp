@@ -299,7 +299,7 @@ void TestComparison::halvesShowTheSamePart() {
     // Maps have the same colours in both.
     m_f->window().actions().showMap->setChecked(true);
     const auto mapOf = [](const ShapeCanvas& canvas) {
-        return canvas.drawn() ? canvas.drawn()->request : RenderRequest();
+        return canvas.shape().drawn() ? canvas.shape().drawn()->request : RenderRequest();
     };
     QTRY_VERIFY_WITH_TIMEOUT(mapOf(own).map && mapOf(its).map, 20000);
     QCOMPARE(mapOf(its).range.high, mapOf(own).range.high);
@@ -343,13 +343,15 @@ void TestComparison::tilesArePreviewed() {
     const auto& canvas = m_f->window().canvas();
     const auto before = m_f->session().document().project();
     const auto isOwn = [&] {
-        return canvas.drawn() && canvas.drawn()->request.frame == m_f->session().motion().frame<2>();
+        return canvas.shape().drawn() &&
+               canvas.shape().drawn()->request.frame == m_f->session().motion().frame<2>();
     };
     QTRY_VERIFY_WITH_TIMEOUT(isOwn(), 20000);
     QTest::mouseMove(tile(3), tile(3)->rect().center());
     QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
     QApplication::sendEvent(tile(3), &enter);
-    QTRY_VERIFY_WITH_TIMEOUT(!isOwn() && canvas.drawn()->request.frame == other().motion().frame<2>(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOwn() && canvas.shape().drawn()->request.frame == other().motion().frame<2>(),
+                             60000);
     QVERIFY((other().motion().frame<2>()->pose - m_f->session().motion().frame<2>()->pose).norm() > 1);
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(tile(3), &leave);

@@ -505,7 +505,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
     for (const double order : {1.0, -1.0}) {
         setDepth({layerWith("arm", order, Polygon{pointsOf(kArm)})});
         QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
-        const QImage& seen = m_canvas.drawn()->image;
+        const QImage& seen = m_canvas.shape().drawn()->image;
         const auto isArm = [&](int cell) {
             Vec<2> centre = Vec<2>::Zero();
             for (const int v : frame->rest->cells[cell]) centre += frame->rest->points.col(v) / 3;

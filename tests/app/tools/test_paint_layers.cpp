@@ -50,7 +50,7 @@ void TestPaintLayers::paintColoursThePicture() {
     QVERIFY(settled());
     const auto colourAt = [&](double u) {
         const QPointF at = canvas.toWidget(Bar<2>::place(u, 0)) * canvas.devicePixelRatioF();
-        return QColor(canvas.drawn()->image.pixel(at.toPoint()));
+        return QColor(canvas.shape().drawn()->image.pixel(at.toPoint()));
     };
     const QColor left = colourAt(-1), right = colourAt(1.2);
     stroke<2>({-1.1, 0}, {-0.9, 0});

@@ -213,7 +213,8 @@ void TestCanvas::pictureIsWhatAnExportWrites() {
     QVERIFY(exported.channels == 4 && exported.unassociated);
     const QImage expected(reinterpret_cast<const uchar*>(exported.data.data()), 640, 480,
                           QImage::Format_RGBA8888);
-    QVERIFY(m_canvas->drawn()->image == expected.convertToFormat(QImage::Format_ARGB32_Premultiplied));
+    QVERIFY(m_canvas->shape().drawn()->image ==
+            expected.convertToFormat(QImage::Format_ARGB32_Premultiplied));
 }
 
 void TestCanvas::everyDepthComesOutTheSame_data() {
@@ -405,7 +406,7 @@ void TestCanvas::mapsHaveALightRimInTheDark() {
         m_canvas->viewport().set(&Looks::colours, MapLook{measure, {0, 1}});
         if (!QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000)) return -1;
         const Theme theme = Theme::of(m_canvas->palette());
-        const QImage seen = m_canvas->grab().toImage(), shape = m_canvas->drawn()->image;
+        const QImage seen = m_canvas->grab().toImage(), shape = m_canvas->shape().drawn()->image;
         int most = 0;
         for (int y = 0; y < seen.height(); ++y)
             for (int x = 0; x < seen.width() / 2; ++x)  // left of the legend
@@ -431,7 +432,7 @@ OpenedFile TestCanvas::shapeless() {
 }
 
 void TestCanvas::checkThatThePictureIsSeen() {
-    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != nullptr; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->shape().drawn() != nullptr; }, 20000));
     QVERIFY(!m_session->motion().frame());
     const QPoint left = m_canvas->toWidget({40, 80}).toPoint(),
                  right = m_canvas->toWidget({200, 80}).toPoint();
@@ -457,8 +458,8 @@ void TestCanvas::nothingIsSeenBeforeItsPicture() {
     file.picture = std::make_shared<const Image>(std::move(large));
     m_canvas->zoomBy(1.1);
     m_session->document().open(std::move(file));
-    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != nullptr; }, 60000));
-    QVERIFY(m_canvas->drawn()->request.picture);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->shape().drawn() != nullptr; }, 60000));
+    QVERIFY(m_canvas->shape().drawn()->request.picture);
 }
 
 void TestCanvas::picturesOfMeshesAreDrawn_data() {
@@ -483,8 +484,8 @@ void TestCanvas::picturesOfMeshesAreDrawn() {
     project.close();
     m_session->document().open(openFile(project.fileName()));
     QVERIFY(settle(*m_session));
-    QVERIFY(
-        QTest::qWaitFor([&] { return m_canvas->isSettled() && m_canvas->drawn()->request.picture; }, 20000));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return m_canvas->isSettled() && m_canvas->shape().drawn()->request.picture; }, 20000));
     const double scale = uv ? 1 / 80.0 : 1;
     const double y = uv ? 1 : 80;
     const QPoint left = m_canvas->toWidget({40 * scale, y}).toPoint(),
@@ -656,7 +657,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     const auto overPicture = [&](Measure measure) {
         m_canvas->viewport().set(&Looks::colours, {measure, {0, 1}});
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
-        const QImage grabbed = m_canvas->grab().toImage(), drawn = m_canvas->drawn()->image;
+        const QImage grabbed = m_canvas->grab().toImage(), drawn = m_canvas->shape().drawn()->image;
         std::set<std::pair<int, int>> places;
         for (int y = 0; y < drawn.height(); ++y)
             for (int x = 0; x < drawn.width() && settled; ++x)
@@ -782,7 +783,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
     const auto shown = [&](bool mesh) {
         m_canvas->viewport().set(&Looks::mesh, mesh);
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
-        return settled ? m_canvas->drawn()->image : QImage();
+        return settled ? m_canvas->shape().drawn()->image : QImage();
     };
     const QImage bare = shown(false), lined = shown(true);
     const auto frame = m_session->motion().frame<2>();
@@ -810,7 +811,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
 void TestCanvas::restIsShown() {
     const auto picture = [&] {
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
-        return settled ? m_canvas->drawn()->image : QImage();
+        return settled ? m_canvas->shape().drawn()->image : QImage();
     };
     setVertices(m_session->document(), 400);  // as bendFar() makes it
     QVERIFY(settle(*m_session));
@@ -819,7 +820,7 @@ void TestCanvas::restIsShown() {
     const QImage bent = picture();
     QVERIFY(bent != before);
     m_canvas->viewport().set(&Looks::rest, true);
-    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn()->image == before; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->shape().drawn()->image == before; }, 20000));
     m_canvas->viewport().set(&Looks::rest, false);
     QCOMPARE(picture(), bent);
 }
@@ -844,15 +845,15 @@ void TestCanvas::legendTellsItsEnds() {
 void TestCanvas::coarsePixelsFillTheView() {
     QVERIFY(QTest::qWaitFor([this] { return m_canvas->isSettled(); }, 20000));
     m_canvas->resize(3200, 2200);
-    const auto before = m_canvas->drawn();
-    QVERIFY(QTest::qWaitFor([&] { return m_canvas->drawn() != before; }, 20000));
-    QVERIFY(m_canvas->drawn()->request.coarseness > 1);
+    const auto before = m_canvas->shape().drawn();
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->shape().drawn() != before; }, 20000));
+    QVERIFY(m_canvas->shape().drawn()->request.coarseness > 1);
     const auto seen = [this] {
         return m_canvas->grab().toImage().scaled(320, 220, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     };
     const QImage coarse = seen();
     QVERIFY(QTest::qWaitFor([this] { return m_canvas->isSettled(); }, 20000));
-    QCOMPARE(m_canvas->drawn()->request.coarseness, 1);
+    QCOMPARE(m_canvas->shape().drawn()->request.coarseness, 1);
     const QImage fine = seen();
     int differing = 0;
     for (int y = 0; y < fine.height(); ++y)

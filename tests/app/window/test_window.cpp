@@ -499,10 +499,10 @@ void TestWindow::openingIsToldUntilThePictureIsSeen() {
     const auto* note = m_window->findChild<QLabel*>(QStringLiteral("busyNote"));
     const ShapeCanvas& canvas = m_window->canvas();
     bool isBlank = false;
-    const auto look = [&] { isBlank |= canvas.isPreparing() && !note->text().contains("large.png"); };
+    const auto look = [&] { isBlank |= canvas.shape().isPreparing() && !note->text().contains("large.png"); };
     connect(&m_window->session().document(), &Document::opened, this, look);
     m_window->openPath(path);
-    QVERIFY(QTest::qWaitFor([&] { return look(), canvas.screenPicture() != nullptr; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return look(), canvas.shape().screenPicture() != nullptr; }, 20000));
     QVERIFY(!isBlank);
     QTRY_COMPARE(note->text(), QString());
 }
