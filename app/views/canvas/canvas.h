@@ -5,8 +5,8 @@
 #include "app/engine/shape/pose_faults.h"
 #include "app/tools/paint/layer_lines.h"
 #include "app/tools/pins/onion_skin.h"
-#include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/ground.h"
+#include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/render_thread.h"
 #include "app/views/shape/viewport.h"
 
