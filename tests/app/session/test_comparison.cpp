@@ -157,7 +157,7 @@ void TestComparison::goTogether() {
     for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas, from + (to - from) * i / 8);
     QVERIFY(session.motion().isDragging() && other().motion().isDragging());
     const auto hasCome = [&](ShapeSession& one) {
-        const auto frame = one.template frame<Dim>();
+        const auto frame = one.motion().template frame<Dim>();
         return frame->live && (frame->pose - frame->rest->points).norm() > 0.1 * Bar<Dim>::way().norm();
     };
     QTRY_VERIFY_WITH_TIMEOUT(hasCome(session) && hasCome(other()), 60000);
