@@ -3,13 +3,12 @@
 #include <QWidget>
 
 #include "app/engine/motion/playback.h"
+#include "app/panels/fields/jump_slider.h"
 #include "app/project/edits/document.h"
 
 class QPushButton;
 
 namespace wend {
-
-class JumpSlider;
 
 /// The strength of the memory: a slider from "not at all" to "fully", above it a picture of a strip whose pin
 /// was moved in a circle.

@@ -197,7 +197,7 @@ void PartList::makeFields() {
                               changeChosen(
                                   tr("Change opacity"),
                                   [value](PicturePart& part) { part.opacity = value / kFullOpacity; },
-                                  "part opacity %1");
+                                  QStringLiteral("part opacity "));
                           });
     m_feather = numberBox(
         this, "partFeather", tr("Soft edge"),
@@ -206,7 +206,7 @@ void PartList::makeFields() {
         {0, kWidestEdge, 1, 1, tr(" px")}, [this](double value) {
             changeChosen(
                 tr("Change soft edge"), [value](PicturePart& part) { part.feather = value; },
-                "part feather %1");
+                QStringLiteral("part feather "));
         });
     QStringList modes;
     for (const BlendMode mode : kModes) modes << nameOf(mode);
@@ -241,13 +241,13 @@ void PartList::change(const QString& step, std::vector<PicturePart> next, const 
     m_document.changeDomain(step, std::move(domain), key);
 }
 
-/// Changes the chosen part. Consecutive changes with one key merge; %1 of it is the part.
+/// Consecutive changes of one part with the same key merge.
 template <class Change>
-void PartList::changeChosen(const QString& step, const Change& change, const char* key) {
+void PartList::changeChosen(const QString& step, const Change& change, const QString& key) {
     if (chosen() < 0) return;
     std::vector<PicturePart> next = parts();
     change(next[static_cast<std::size_t>(chosen())]);
-    this->change(step, std::move(next), QString::fromLatin1(key).arg(chosen()));
+    this->change(step, std::move(next), key.isEmpty() ? key : key + QString::number(chosen()));
 }
 
 void PartList::showParts() {
@@ -395,12 +395,10 @@ void PartList::move(int by) {
 
 /// The mode of a file's layer is overruled; elsewhere normal need not be said.
 void PartList::blend(int mode) {
-    if (chosen() < 0) return;
-    std::vector<PicturePart> next = parts();
-    PicturePart& own = next[static_cast<std::size_t>(chosen())];
-    own.blend = kModes[static_cast<std::size_t>(mode)];
-    if (own.blend == BlendMode::Normal && own.layer.empty() && own.cutFrom.empty()) own.blend.reset();
-    change(tr("Change blend mode"), std::move(next));
+    changeChosen(tr("Change blend mode"), [mode](PicturePart& own) {
+        own.blend = kModes[static_cast<std::size_t>(mode)];
+        if (own.blend == BlendMode::Normal && own.layer.empty() && own.cutFrom.empty()) own.blend.reset();
+    });
 }
 
 void PartList::join(int place) {
@@ -411,22 +409,19 @@ void PartList::join(int place) {
     own.joints.clear();
     if (place > 0) {
         const auto frame = m_motion.frame<2>();
-        const auto place = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
-        if (!place) {
+        const auto joint = frame ? jointPlace(*frame->rest, own.name, to.toStdString()) : std::nullopt;
+        if (!joint) {
             m_document.notify(tr("These parts do not overlap at rest: there is no place for a joint."));
             return showChosen();
         }
-        own.joints.push_back({to.toStdString(), *place});
+        own.joints.push_back({to.toStdString(), *joint});
     }
     change(own.joints.empty() ? tr("Remove joint") : tr("Join parts"), std::move(next));
 }
 
 void PartList::ride(int place) {
-    if (chosen() < 0) return;
-    const QString on = m_rides->itemText(place);
-    std::vector<PicturePart> next = parts();
-    next[static_cast<std::size_t>(chosen())].ridesOn = place > 0 ? on.toStdString() : "";
-    change(tr("Change what a part rides on"), std::move(next));
+    const std::string on = place > 0 ? m_rides->itemText(place).toStdString() : std::string();
+    changeChosen(tr("Change what a part rides on"), [on](PicturePart& own) { own.ridesOn = on; });
 }
 
 bool PartList::eventFilter(QObject* watched, QEvent* event) {

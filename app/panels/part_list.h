@@ -59,7 +59,7 @@ class PartList : public QWidget {
     void move(int by);
     void change(const QString& step, std::vector<PicturePart> parts, const QString& key = {});
     template <class Change>
-    void changeChosen(const QString& step, const Change& change, const char* key);
+    void changeChosen(const QString& step, const Change& change, const QString& key = {});
     void blend(int mode);
     void join(int place);
     void ride(int place);

@@ -71,8 +71,7 @@ void SurfacePanel::makeFixes() {
     m_fixAll->installEventFilter(this);
     m_show = pushButton(
         this, "", tr("Show them"),
-        tr("Colours the triangles that are wrong and shows them: what hides them is left "
-           "out."),
+        tr("Colours the triangles that are wrong and shows them: what hides them is left out."),
         [this](bool on) {
             m_preview->setChecked(false);
             if (on)

@@ -145,7 +145,8 @@ template <int Dim>
 void TestComparison::goTogether() {
     QVERIFY(begin<Dim>());
     auto& session = m_f->session();
-    QVERIFY(session.template frame<Dim>()->rest->cells == other().template frame<Dim>()->rest->cells);
+    QVERIFY(session.motion().template frame<Dim>()->rest->cells ==
+            other().motion().template frame<Dim>()->rest->cells);
     auto& canvas = Bar<Dim>::canvas(*m_f);
     if constexpr (Dim == 3) canvas.look(Camera::Axis::Front);
     const QPoint from = canvas.toWidget(Bar<Dim>::end()).toPoint();
@@ -156,7 +157,7 @@ void TestComparison::goTogether() {
     for (int i = 1; i <= 8; ++i) QTest::mouseMove(&canvas, from + (to - from) * i / 8);
     QVERIFY(session.motion().isDragging() && other().motion().isDragging());
     const auto hasCome = [&](ShapeSession& one) {
-        const auto frame = one.template frame<Dim>();
+        const auto frame = one.motion().template frame<Dim>();
         return frame->live && (frame->pose - frame->rest->points).norm() > 0.1 * Bar<Dim>::way().norm();
     };
     QTRY_VERIFY_WITH_TIMEOUT(hasCome(session) && hasCome(other()), 60000);
@@ -165,7 +166,8 @@ void TestComparison::goTogether() {
     QVERIFY(settle(session) && settle(other()));
     QVERIFY(session.playback().end() > 0);
     QCOMPARE(other().motion().frame()->time, session.motion().frame()->time);
-    const Points<Dim> own = session.template frame<Dim>()->pose, its = other().template frame<Dim>()->pose;
+    const Points<Dim> own = session.motion().template frame<Dim>()->pose,
+                      its = other().motion().template frame<Dim>()->pose;
     QVERIFY((own - its).cwiseAbs().maxCoeff() > 1e-3 * Bar<Dim>::way().norm());
     QVERIFY(std::abs(own.col(0).norm()) > 0);
     const QString totals = view().template findChild<QLabel*>("otherTotals")->text();
@@ -184,7 +186,7 @@ void TestComparison::goTogether() {
     designOf(*changed).material.phi = phi;
     session.document().change("Energy", changed);
     QVERIFY(settle(session));
-    QVERIFY((session.template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
+    QVERIFY((session.motion().template frame<Dim>()->pose - its).cwiseAbs().maxCoeff() <
             1e-9 * Bar<Dim>::way().norm());
 }
 
@@ -443,7 +445,7 @@ void TestComparison::takePaintAway() {
     session.selection().set({1});
     session.gestures().nudge(inSpace(Bar<Dim>::way()));
     QVERIFY(settle(session));
-    const Points<Dim> before = session.template frame<Dim>()->pose;
+    const Points<Dim> before = session.motion().template frame<Dim>()->pose;
     MaterialRegion stiff;
     stiff.shape = HalfSpace<3>{Vec3::Zero(), Vec3::Unit(1)};
     stiff.stiffness = Stiffness{Vec3::Unit(0), 300};
@@ -457,8 +459,8 @@ void TestComparison::takePaintAway() {
     while (choice->currentIndex() + 1 < choice->count()) QTest::keyClick(choice, Qt::Key_Down);
     QVERIFY(settle(session) && settle(other()));
     QVERIFY(!view().comparison().phi());
-    QVERIFY(other().template frame<Dim>()->pose == before);
-    QVERIFY((session.template frame<Dim>()->pose - before).norm() > 1e-3 * before.norm());
+    QVERIFY(other().motion().template frame<Dim>()->pose == before);
+    QVERIFY((session.motion().template frame<Dim>()->pose - before).norm() > 1e-3 * before.norm());
     const double angle = tiles().scale().stops()[3].phi;
     changeSetting(session.document(), "material.phi", angle);
     QVERIFY(settle(session) && settle(other()));

@@ -2,8 +2,8 @@
 #include <QPainter>
 #include <QTest>
 
-#include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/ground.h"
+#include "app/views/canvas/moving_shape.h"
 
 using namespace wend;
 
