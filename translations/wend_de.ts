@@ -2915,6 +2915,10 @@
         <translation>Hell auf Dunkel</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Bilder mit Ebenen (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>An&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Abspielen</translation>
     </message>
 </context>
 <context>

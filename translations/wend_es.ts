@@ -2983,6 +2983,10 @@
         <translation>Claro sobre oscuro</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Reproducir</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Imágenes con capas (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pausa</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Reproducir</translation>
     </message>
 </context>
 <context>

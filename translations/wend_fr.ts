@@ -2983,6 +2983,10 @@
         <translation>Clair sur sombre</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Lecture</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Images avec calques (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Lecture</translation>
     </message>
 </context>
 <context>

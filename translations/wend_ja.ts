@@ -2982,6 +2982,10 @@
         <translation>暗い背景に明るい文字</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>一時停止(&amp;P)</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>再生(&amp;P)</translation>
     </message>
@@ -4791,17 +4795,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>レイヤーのある画像 (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>一時停止(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>再生(&amp;P)</translation>
     </message>
 </context>
 <context>

@@ -2982,6 +2982,10 @@
         <translation>深底浅字</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>播放(&amp;P)</translation>
     </message>
@@ -4791,17 +4795,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>带图层的图片 (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>暂停(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>播放(&amp;P)</translation>
     </message>
 </context>
 <context>

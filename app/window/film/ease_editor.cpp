@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/panels/fields/ease_names.h"
 #include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
@@ -213,8 +214,9 @@ void EaseEditor::makeSpeeds() {
         box->setSingleStep(10);
         box->setSuffix(tr(" %"));
         box->setKeyboardTracking(false);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &EaseEditor::typeSpeeds);
     }
+    connectEach(this, &EaseEditor::typeSpeeds, m_start, &QDoubleSpinBox::valueChanged, m_end,
+                &QDoubleSpinBox::valueChanged);
     const QString help = tr("In percent of the speed of an even move: at 0 % the pin stops there.");
     describe(m_start, tr("Speed at the start"), help);
     describe(m_end, tr("Speed at the end"), help);

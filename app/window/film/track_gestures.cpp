@@ -12,7 +12,7 @@
 #include "app/project/edits/film_edits.h"
 #include "app/project/edits/key_edits.h"
 #include "app/project/project.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 
 namespace wend {

@@ -9,7 +9,7 @@
 #include "app/session/pins/key_poses.h"
 #include "app/window/film/ease_editor.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 
 namespace wend {

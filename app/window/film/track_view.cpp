@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/base/preferences.h"
 #include "app/project/design.h"
 #include "app/style/marks.h"
@@ -12,7 +13,7 @@
 #include "app/window/film/key_pose_strip.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 
 namespace wend {
 
@@ -41,7 +42,7 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
       m_scale(new TimeScale(session.document(), session.playback(), this)),
       m_sound(new SoundTrack(session.document(), session.playback(), this)),
       m_ruler(new TimeRuler(session.document(), session.playback(), *m_scale, *m_sound, viewport())),
-      m_poses(new KeyPoseStrip(session, *m_scale, viewport())) {
+      m_poses(new KeyPoseStrip(session.motion(), session.playback(), *m_scale, viewport())) {
     setObjectName(QStringLiteral("trackView"));
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -55,14 +56,14 @@ TrackView::TrackView(ShapeSession& session, QWidget* parent)
         "Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. "
         "A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds"));
     const auto repaint = [this] { viewport()->update(); };
-    connect(&m_session.document(), &Document::opened, this, &TrackView::takeProject);
-    connect(&m_session.document(), &Document::projectChanged, this, &TrackView::takeProject);
+    const auto rearrange = [this, repaint] { arrange(), repaint(); };
+    const Document* document = &m_session.document();
+    const Playback* playback = &m_session.playback();
+    connectEach(this, &TrackView::takeProject, document, &Document::opened, document,
+                &Document::projectChanged);
     connect(&m_session.selection(), &Selection::changed, this, &TrackView::showSelection);
-    connect(&m_session.playback(), &Playback::timeChanged, this, repaint);
-    connect(&m_session.playback(), &Playback::endChanged, this, [this, repaint] { arrange(), repaint(); });
-    connect(m_scale, &TimeScale::changed, this, repaint);
-    connect(m_sound, &SoundTrack::notice, &session.document(), &Document::notice);
-    connect(m_ruler, &TimeRuler::rowsChanged, this, [this, repaint] { arrange(), repaint(); });
+    connectEach(this, repaint, playback, &Playback::timeChanged, m_scale, &TimeScale::changed);
+    connectEach(this, rearrange, playback, &Playback::endChanged, m_ruler, &TimeRuler::rowsChanged);
     takeProject();
 }
 
@@ -130,10 +131,6 @@ void TrackView::bringIntoView(int row) {
 void TrackView::showSelection() {
     if (const int row = m_session.selection().single(); row >= 0) bringIntoView(row);
     viewport()->update();
-}
-
-void TrackView::setWay(const QRect& way) {
-    m_scale->setWay(way);
 }
 
 /// Where the rows begin, below the ruler.

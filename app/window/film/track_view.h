@@ -26,8 +26,6 @@ class TrackView : public QAbstractScrollArea {
   public:
     explicit TrackView(ShapeSession& session, QWidget* parent = nullptr);
 
-    /// Sets the horizontal range of time in this widget's coordinates: that of the slider below.
-    void setWay(const QRect& way);
     static constexpr int kHold = -1;  // in the place of a motion: the line along which the pin holds
     /// Returns the rectangle of a motion's bar, or of a hold, in viewport coordinates; empty if there is
     /// none.

@@ -27,7 +27,7 @@
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
-#include "app/window/notices/work_note.h"
+#include "app/window/notices/notes.h"
 #include "tests/support/layers.h"
 #include "tests/support/pictures.h"
 #include "tests/support/solid_fixture.h"

@@ -22,7 +22,6 @@
 #include "app/window/film/key_pose_strip.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "app/window/help/shortcuts.h"

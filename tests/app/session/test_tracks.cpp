@@ -22,7 +22,7 @@
 #include "app/session/pins/key_poses.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 

@@ -28,7 +28,7 @@
 #include "app/window/film/time_strip.h"
 #include "app/window/main_window.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/toolbar/rows.h"
+#include "app/window/actions/bars.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;

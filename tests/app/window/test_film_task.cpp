@@ -21,7 +21,6 @@
 #include "app/window/export/export_form.h"
 #include "app/window/export/exporter.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "tests/support/dialogs.h"

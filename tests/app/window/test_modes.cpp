@@ -26,7 +26,7 @@
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
 #include "app/window/help/shortcuts.h"
-#include "app/window/help/side_windows.h"
+#include "app/window/help/help.h"
 #include "app/window/properties.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/solid_fixture.h"

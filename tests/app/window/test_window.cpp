@@ -31,7 +31,6 @@
 #include "app/window/main_window.h"
 #include "app/window/notices/info_banner.h"
 #include "app/window/notices/offers.h"
-#include "app/window/notices/picture_checks.h"
 #include "app/window/properties.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/support/dialogs.h"
