@@ -6,9 +6,9 @@
 #include <QUndoStack>
 
 #include "app/style/theme.h"
+#include "app/window/actions/bars.h"
 #include "app/window/actions/language_choice.h"
 #include "app/window/actions/look_choices.h"
-#include "app/window/actions/bars.h"
 #include "app/window/actions/toolbox.h"
 
 namespace wend {
