@@ -18,7 +18,7 @@
 #include "app/panels/flow_panel.h"
 #include "app/project/edits/film_edits.h"
 #include "app/project/edits/key_edits.h"
-#include "app/window/export/export_form.h"
+#include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"

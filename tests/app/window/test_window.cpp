@@ -26,7 +26,7 @@
 #include "app/window/actions/actions.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/toolbox.h"
-#include "app/window/export/export_form.h"
+#include "app/window/export/export_panel.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/main_window.h"
 #include "app/window/notices/info_banner.h"
