@@ -5620,7 +5620,7 @@
     </message>
     <message>
         <source>Finer and coarser</source>
-        <translation>Plus fin et plus grossier</translation>
+        <translation>Plus fin ou grossier</translation>
     </message>
     <message>
         <source>Aim at a volume</source>
@@ -6884,7 +6884,7 @@
     </message>
     <message>
         <source>Finer and coarser</source>
-        <translation>Plus fin et plus grossier</translation>
+        <translation>Plus fin ou grossier</translation>
     </message>
     <message>
         <source>In front and behind</source>
