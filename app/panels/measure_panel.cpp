@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/engine/motion/fields.h"
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/legend.h"

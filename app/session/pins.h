@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/engine/motion/rest_places.h"
+#include "app/engine/motion/places.h"
 #include "app/project/edits/document.h"
 
 namespace wend {

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/engine/shape/material_raster.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 
 namespace wend {
 

@@ -6,7 +6,7 @@
 
 #include "app/base/preferences.h"
 #include "app/base/said.h"
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"

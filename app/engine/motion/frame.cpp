@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/engine/shape/mesh_parts.h"
 #include "app/engine/shape/shape.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"

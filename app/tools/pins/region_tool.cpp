@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 #include <functional>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/pins/held_part.h"

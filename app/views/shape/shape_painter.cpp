@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
 #include "app/session/shape_session.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/style/marks.h"
 #include "core/mesh/decompositions.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/engine/shape/shape.h"
 #include "app/views/shape/shape_painter.h"
 

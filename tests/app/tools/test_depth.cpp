@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/engine/motion/fields.h"
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/output/frame_export.h"
 #include "app/project/edits/handle_edits.h"

@@ -1,6 +1,6 @@
 #include <QToolButton>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/panels/layer_panel.h"
 #include "app/panels/paint_panel.h"
 #include "app/project/design.h"

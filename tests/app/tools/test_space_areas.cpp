@@ -2,7 +2,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
-#include "app/engine/motion/pose_places.h"
+#include "app/engine/motion/places.h"
 #include "app/panels/handle_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/panels/paint_panel.h"
