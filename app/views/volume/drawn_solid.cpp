@@ -1,9 +1,11 @@
 #include "app/views/volume/drawn_solid.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "app/engine/shape/picture_file.h"
 #include "app/views/volume/glyphs.h"
 
 namespace wend {
@@ -409,6 +411,48 @@ void DrawnSolid::draw(const Sight& sight, bool hasRim) {
     if (!hasRim) look.rim = QColor();
     if (look.rim.isValid()) uploadRim(sight);
     m_renderer.draw(sight, look, showsSkin() && m_picture.materials, clip());
+}
+
+namespace {
+
+constexpr int kLargestTexture = 4096;  // pixels
+
+QImage textureOf(const SkinMaterial& material) {
+    if (material.texture.empty()) return {};
+    const QImage image = pictureOfFile(material.texture);
+    if (std::max(image.width(), image.height()) <= kLargestTexture) return image;
+    return image.scaled(kLargestTexture, kLargestTexture, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGBA8888);
+}
+
+}  // namespace
+
+QRgb dimmed(QRgb colour) {
+    const auto half = [](int x) { return (x + 128) / 2; };
+    return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
+}
+
+VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+                               std::vector<QRgb> colours) {
+    VolumePicture picture;
+    picture.rest = std::make_shared<const SimplicialMesh<3>>();
+    picture.pose = points;
+    auto facets = std::make_shared<std::vector<Facet<3>>>();
+    for (const auto& t : triangles) facets->push_back({t, {static_cast<int>(facets->size()), -1}});
+    picture.facets = std::move(facets);
+    picture.cellColours = std::move(colours);
+    return picture;
+}
+
+std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread) {
+    std::vector<QImage> pictures;
+    if (!skin) return pictures;
+    for (const SkinMaterial& material : skin->materials) {
+        pictures.push_back(textureOf(material));
+        const QString file = QString::fromStdString(material.texture);
+        if (unread && !file.isEmpty() && pictures.back().isNull() && !unread->contains(file)) *unread << file;
+    }
+    return pictures;
 }
 
 }  // namespace wend
