@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <clocale>
 
+#include "app/base/connect_each.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/panel_fields.h"
@@ -308,8 +309,6 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     Actions& a = *m_actions;
-    connect(&m_properties->layers(), &LayerPanel::chosen, m_canvas,
-            [this](Id layer) { m_canvas->viewport().set(&Looks::layer, layer); });
     connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
     connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
     connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
@@ -325,15 +324,10 @@ void MainWindow::connectView() {
     connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
     connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
     const DistortionPanel* distortion = &m_properties->distortion();
-    connect(distortion, &DistortionPanel::mapChosen, this, [this] { m_actions->showMap->setChecked(true); });
-    connect(distortion, &DistortionPanel::showWorst, this, [this] {
-        m_actions->showMap->setChecked(true);
-        m_canvas->viewport().showWorst();
-    });
-    connect(distortion, &DistortionPanel::placeWanted, this, [this](const Vec<3>& at) {
-        m_actions->showMap->setChecked(true);
-        m_canvas->showPlace(at);
-    });
+    connectEach(
+        m_actions->showMap, [this] { m_actions->showMap->setChecked(true); }, distortion,
+        &DistortionPanel::mapChosen, distortion, &DistortionPanel::showWorst, distortion,
+        &DistortionPanel::placeWanted);
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
     connectViewport(m_canvas->viewport());
@@ -351,6 +345,11 @@ void MainWindow::connectViewport(Viewport& view) {
     connect(&view, &Viewport::pointed, m_fields, &StatusFields::setPointer);
     connect(&m_properties->groups(), &GroupList::marked, &view,
             [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
+    connect(&m_properties->layers(), &LayerPanel::chosen, &view,
+            [&view](Id layer) { view.set(&Looks::layer, layer); });
+    const DistortionPanel* distortion = &m_properties->distortion();
+    connect(distortion, &DistortionPanel::showWorst, &view, &Viewport::showWorst);
+    connect(distortion, &DistortionPanel::placeWanted, &view, &Viewport::showPlace);
 }
 
 void MainWindow::connectHelp() {

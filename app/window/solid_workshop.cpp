@@ -10,7 +10,6 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
-#include "app/panels/layer_panel.h"
 #include "app/panels/measure_panel.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
@@ -86,16 +85,8 @@ void SolidWorkshop::connectView() {
     connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
     connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this,
             [this] { m_actions.setHasDetail(m_canvas->solidLook().hasDetail()); });
-    connect(&m_around.properties.layers(), &LayerPanel::chosen, &view,
-            [&view](Id layer) { view.set(&Looks::layer, layer); });
     connect(&m_around.properties.detailRegions(), &RegionList::chosen, &m_canvas->overlay(),
             &SolidOverlay::setDetailRegions);
-    connect(&maps, &DistortionPanel::showWorst, m_canvas, [this] {
-        if (m_isActive) m_canvas->viewport().showWorst();
-    });
-    connect(&maps, &DistortionPanel::placeWanted, m_canvas, [this](const Vec<3>& at) {
-        if (m_isActive) m_canvas->showPlace(at);
-    });
     connect(&m_around.properties.facts(), &FactsPanel::cellWanted, m_canvas, [this](int cell) {
         if (m_isActive) m_canvas->showCell(cell);
     });
