@@ -2915,6 +2915,10 @@
         <translation>Hell auf Dunkel</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Bilder mit Ebenen (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>An&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Abspielen</translation>
     </message>
 </context>
 <context>
@@ -8336,6 +8329,65 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
     </message>
 </context>
 <context>
+    <name>wend::TrackChoice</name>
+    <message>
+        <source>Move in time</source>
+        <translation>Zeitlich verschieben</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Bewegung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Bewegungen entfernen</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Easing ändern</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Gerade machen</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Vereinfachen</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Schlüsselposen verschieben</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Schlüsselpose verschieben</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Schlüsselposen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Schlüsselpose entfernen</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Schlüsselposen einfügen</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Schlüsselposen spiegeln</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Nichts ändert sich: Wo ein Pin beginnt, ist er in Ruhe, und Drehungen behalten ihren Verlauf.</translation>
+    </message>
+</context>
+<context>
     <name>wend::TrackView</name>
     <message>
         <source>Rotate</source>
@@ -8370,10 +8422,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
         <translation>Bewegung &amp;entfernen</translation>
     </message>
     <message>
-        <source>Remove motion</source>
-        <translation>Bewegung entfernen</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Noch bewegt sich nichts. Ziehen Sie einen Pin, oder nehmen Sie es mit Strg auf: Dann steht hier, Pin für Pin, was Sie getan haben.</translation>
     </message>
@@ -8386,16 +8434,8 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
         <translation>Bewegungen &amp;entfernen</translation>
     </message>
     <message>
-        <source>Remove motions</source>
-        <translation>Bewegungen entfernen</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Easing</translation>
-    </message>
-    <message>
-        <source>Change easing</source>
-        <translation>Easing ändern</translation>
     </message>
     <message>
         <source>&amp;Paste at the Time Shown</source>
@@ -8408,10 +8448,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
     <message>
         <source>&amp;Straighten</source>
         <translation>&amp;Gerade machen</translation>
-    </message>
-    <message>
-        <source>Straighten</source>
-        <translation>Gerade machen</translation>
     </message>
     <message>
         <source>Simplify to &amp;Keys</source>
@@ -8430,10 +8466,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
         <translation>&amp;Viele</translation>
     </message>
     <message>
-        <source>Simplify</source>
-        <translation>Vereinfachen</translation>
-    </message>
-    <message>
         <source>Key at %1</source>
         <translation>Schlüsselpose: %1</translation>
     </message>
@@ -8444,30 +8476,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
     <message>
         <source>%1: %2 to %3, %4</source>
         <translation>%1: %2 bis %3, %4</translation>
-    </message>
-    <message>
-        <source>Move keys</source>
-        <translation>Schlüsselposen verschieben</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>Schlüsselpose verschieben</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>Schlüsselposen entfernen</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>Schlüsselpose entfernen</translation>
-    </message>
-    <message>
-        <source>Paste keys</source>
-        <translation>Schlüsselposen einfügen</translation>
-    </message>
-    <message>
-        <source>Mirror keys</source>
-        <translation>Schlüsselposen spiegeln</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -8488,10 +8496,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
     <message>
         <source>&amp;Hold to the Next</source>
         <translation>Bis zur nächsten &amp;halten</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>Halten</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
@@ -8516,10 +8520,6 @@ PSD, ORA, KRA und SVG mit ihren Ebenen. Auch Projekte, Netze und Körper.</trans
     <message>
         <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
         <translation>Eine Schlüsselpose (Raute) oder einen Balken zu einer anderen Zeit ziehen; Umschalt, Strg oder ein Rahmen um sie wählt mehrere. Ein Rechtsklick bietet Easing, Halten, Kopieren, Spiegeln. Die Enden der Linie sagen, wann der Pin hält</translation>
-    </message>
-    <message>
-        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
-        <translation>Nichts ändert sich: Wo ein Pin beginnt, ist er in Ruhe, und Drehungen behalten ihren Verlauf.</translation>
     </message>
     <message>
         <source>Easing Curve</source>

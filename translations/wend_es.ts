@@ -2983,6 +2983,10 @@
         <translation>Claro sobre oscuro</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Reproducir</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Imágenes con capas (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pausa</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Reproducir</translation>
     </message>
 </context>
 <context>
@@ -8336,6 +8329,65 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
     </message>
 </context>
 <context>
+    <name>wend::TrackChoice</name>
+    <message>
+        <source>Move in time</source>
+        <translation>Mover en el tiempo</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Eliminar movimiento</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Quitar los movimientos</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Cambiar el suavizado</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Enderezar</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Simplificar</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Mover claves</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Mover clave</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Eliminar claves</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Eliminar clave</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Pegar claves</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Reflejar claves</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Mantener</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Nada cambia: donde un pin empieza está en reposo, y las rotaciones conservan su curso.</translation>
+    </message>
+</context>
+<context>
     <name>wend::TrackView</name>
     <message>
         <source>Rotate</source>
@@ -8370,10 +8422,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
         <translation>&amp;Eliminar movimiento</translation>
     </message>
     <message>
-        <source>Remove motion</source>
-        <translation>Eliminar movimiento</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Todavía no se mueve nada. Arrastre un alfiler, o grábelo con Ctrl: lo que haga estará aquí, alfiler por alfiler.</translation>
     </message>
@@ -8386,16 +8434,8 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
         <translation>&amp;Quitar los movimientos</translation>
     </message>
     <message>
-        <source>Remove motions</source>
-        <translation>Quitar los movimientos</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Suavizado</translation>
-    </message>
-    <message>
-        <source>Change easing</source>
-        <translation>Cambiar el suavizado</translation>
     </message>
     <message>
         <source>&amp;Paste at the Time Shown</source>
@@ -8408,10 +8448,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
     <message>
         <source>&amp;Straighten</source>
         <translation>&amp;Enderezar</translation>
-    </message>
-    <message>
-        <source>Straighten</source>
-        <translation>Enderezar</translation>
     </message>
     <message>
         <source>Simplify to &amp;Keys</source>
@@ -8430,10 +8466,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
         <translation>&amp;Muchas</translation>
     </message>
     <message>
-        <source>Simplify</source>
-        <translation>Simplificar</translation>
-    </message>
-    <message>
         <source>Key at %1</source>
         <translation>Clave: %1</translation>
     </message>
@@ -8444,30 +8476,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
     <message>
         <source>%1: %2 to %3, %4</source>
         <translation>%1: %2 a %3, %4</translation>
-    </message>
-    <message>
-        <source>Move keys</source>
-        <translation>Mover claves</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>Mover clave</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>Eliminar claves</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>Eliminar clave</translation>
-    </message>
-    <message>
-        <source>Paste keys</source>
-        <translation>Pegar claves</translation>
-    </message>
-    <message>
-        <source>Mirror keys</source>
-        <translation>Reflejar claves</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -8488,10 +8496,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
     <message>
         <source>&amp;Hold to the Next</source>
         <translation>Mantener &amp;hasta la siguiente</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>Mantener</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
@@ -8516,10 +8520,6 @@ PSD, ORA, KRA y SVG con sus capas. También proyectos, mallas y sólidos.</trans
     <message>
         <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
         <translation>Arrastre una clave (un rombo) o una barra a otro momento; Mayús, Ctrl o un marco alrededor eligen varias. Un clic derecho suaviza, mantiene, copia, refleja. Los extremos de la línea dicen cuándo sujeta el pin</translation>
-    </message>
-    <message>
-        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
-        <translation>Nada cambia: donde un pin empieza está en reposo, y las rotaciones conservan su curso.</translation>
     </message>
     <message>
         <source>Easing Curve</source>

@@ -2983,6 +2983,10 @@
         <translation>Clair sur sombre</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>&amp;Lecture</translation>
     </message>
@@ -4799,17 +4803,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>Images avec calques (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Lecture</translation>
     </message>
 </context>
 <context>
@@ -8336,6 +8329,65 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
     </message>
 </context>
 <context>
+    <name>wend::TrackChoice</name>
+    <message>
+        <source>Move in time</source>
+        <translation>Déplacer dans le temps</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Supprimer le mouvement</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>Supprimer les mouvements</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>Changer le lissage</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Redresser</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Simplifier</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Déplacer les clés</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Déplacer la clé</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Supprimer la clé</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Coller les clés</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>Mettre les clés en miroir</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>Rien ne change : là où une épingle commence, elle est au repos, et les rotations gardent leur cours.</translation>
+    </message>
+</context>
+<context>
     <name>wend::TrackView</name>
     <message>
         <source>Rotate</source>
@@ -8370,10 +8422,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
         <translation>&amp;Supprimer le mouvement</translation>
     </message>
     <message>
-        <source>Remove motion</source>
-        <translation>Supprimer le mouvement</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>Rien ne bouge encore. Tirez une épingle, ou enregistrez-la avec Ctrl&#x202f;: vos gestes seront ici, épingle par épingle.</translation>
     </message>
@@ -8386,16 +8434,8 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
         <translation>&amp;Supprimer les mouvements</translation>
     </message>
     <message>
-        <source>Remove motions</source>
-        <translation>Supprimer les mouvements</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>Lissage</translation>
-    </message>
-    <message>
-        <source>Change easing</source>
-        <translation>Changer le lissage</translation>
     </message>
     <message>
         <source>&amp;Paste at the Time Shown</source>
@@ -8408,10 +8448,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
     <message>
         <source>&amp;Straighten</source>
         <translation>Re&amp;dresser</translation>
-    </message>
-    <message>
-        <source>Straighten</source>
-        <translation>Redresser</translation>
     </message>
     <message>
         <source>Simplify to &amp;Keys</source>
@@ -8430,10 +8466,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
         <translation>&amp;Beaucoup</translation>
     </message>
     <message>
-        <source>Simplify</source>
-        <translation>Simplifier</translation>
-    </message>
-    <message>
         <source>Key at %1</source>
         <translation>Clé : %1</translation>
     </message>
@@ -8444,30 +8476,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
     <message>
         <source>%1: %2 to %3, %4</source>
         <translation>%1 : %2 à %3, %4</translation>
-    </message>
-    <message>
-        <source>Move keys</source>
-        <translation>Déplacer les clés</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>Déplacer la clé</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>Supprimer les clés</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>Supprimer la clé</translation>
-    </message>
-    <message>
-        <source>Paste keys</source>
-        <translation>Coller les clés</translation>
-    </message>
-    <message>
-        <source>Mirror keys</source>
-        <translation>Mettre les clés en miroir</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -8488,10 +8496,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
     <message>
         <source>&amp;Hold to the Next</source>
         <translation>Tenir &amp;jusqu’à la suivante</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>Tenir</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
@@ -8516,10 +8520,6 @@ PSD, ORA, KRA et SVG avec leurs calques. Projets, maillages et solides aussi.</t
     <message>
         <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
         <translation>Glissez une clé (un losange) ou une barre vers un autre instant ; Maj, Ctrl ou un cadre autour d’elles en choisit plusieurs. Un clic droit lisse, tient, copie, met en miroir. Les extrémités de la ligne disent quand l’épingle tient</translation>
-    </message>
-    <message>
-        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
-        <translation>Rien ne change : là où une épingle commence, elle est au repos, et les rotations gardent leur cours.</translation>
     </message>
     <message>
         <source>Easing Curve</source>

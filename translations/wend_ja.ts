@@ -2982,6 +2982,10 @@
         <translation>暗い背景に明るい文字</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>一時停止(&amp;P)</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>再生(&amp;P)</translation>
     </message>
@@ -4791,17 +4795,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>レイヤーのある画像 (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>一時停止(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>再生(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -8319,6 +8312,65 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
     </message>
 </context>
 <context>
+    <name>wend::TrackChoice</name>
+    <message>
+        <source>Move in time</source>
+        <translation>時刻を変更</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>動きを削除</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>モーションを削除</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>イージングを変更</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>直線にする</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>簡略化</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>キーを移動</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>キーを削除</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>キーを貼り付け</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>キーをミラー</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保つ</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>変更はありません。ピンの始まりは静止状態で、回転の経過は変わりません。</translation>
+    </message>
+</context>
+<context>
     <name>wend::TrackView</name>
     <message>
         <source>Rotate</source>
@@ -8353,10 +8405,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
         <translation>動きを削除(&amp;R)</translation>
     </message>
     <message>
-        <source>Remove motion</source>
-        <translation>動きを削除</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>まだ何も動いていません。ピンをドラッグするか、Ctrl を押しながら記録すると、動きがピンごとにここに並びます。</translation>
     </message>
@@ -8369,16 +8417,8 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
         <translation>モーションを削除(&amp;R)</translation>
     </message>
     <message>
-        <source>Remove motions</source>
-        <translation>モーションを削除</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>イージング</translation>
-    </message>
-    <message>
-        <source>Change easing</source>
-        <translation>イージングを変更</translation>
     </message>
     <message>
         <source>&amp;Paste at the Time Shown</source>
@@ -8391,10 +8431,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
     <message>
         <source>&amp;Straighten</source>
         <translation>直線にする(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Straighten</source>
-        <translation>直線にする</translation>
     </message>
     <message>
         <source>Simplify to &amp;Keys</source>
@@ -8413,10 +8449,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
         <translation>多く(&amp;M)</translation>
     </message>
     <message>
-        <source>Simplify</source>
-        <translation>簡略化</translation>
-    </message>
-    <message>
         <source>Key at %1</source>
         <translation>キー：%1</translation>
     </message>
@@ -8427,30 +8459,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
     <message>
         <source>%1: %2 to %3, %4</source>
         <translation>%1：%2～%3、%4</translation>
-    </message>
-    <message>
-        <source>Move keys</source>
-        <translation>キーを移動</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>キーを移動</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>キーを削除</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>キーを削除</translation>
-    </message>
-    <message>
-        <source>Paste keys</source>
-        <translation>キーを貼り付け</translation>
-    </message>
-    <message>
-        <source>Mirror keys</source>
-        <translation>キーをミラー</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -8471,10 +8479,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
     <message>
         <source>&amp;Hold to the Next</source>
         <translation>次のキーまで保つ(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>保つ</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
@@ -8499,10 +8503,6 @@ PSD、ORA、KRA、SVG はレイヤーごと開きます。プロジェクト、�
     <message>
         <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
         <translation>キー (ひし形) またはバーを別の時刻へドラッグ。Shift、Ctrl、または囲む枠で複数を選択。右クリックでイージング、保持、コピー、ミラー。線の端はピンが固定する期間を示します</translation>
-    </message>
-    <message>
-        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
-        <translation>変更はありません。ピンの始まりは静止状態で、回転の経過は変わりません。</translation>
     </message>
     <message>
         <source>Easing Curve</source>

@@ -2982,6 +2982,10 @@
         <translation>深底浅字</translation>
     </message>
     <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
         <source>&amp;Play</source>
         <translation>播放(&amp;P)</translation>
     </message>
@@ -4791,17 +4795,6 @@
     <message>
         <source>Pictures with layers (%1)</source>
         <translation>带图层的图片 (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>wend::FilmControls</name>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>暂停(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>播放(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -8319,6 +8312,65 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
     </message>
 </context>
 <context>
+    <name>wend::TrackChoice</name>
+    <message>
+        <source>Move in time</source>
+        <translation>移动时间</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>移除运动</translation>
+    </message>
+    <message>
+        <source>Remove motions</source>
+        <translation>删除动作</translation>
+    </message>
+    <message>
+        <source>Change easing</source>
+        <translation>更改缓动</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>变为直线</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>简化</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>移动关键姿势</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>移动关键姿势</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>移除关键姿势</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>移除关键姿势</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>粘贴关键姿势</translation>
+    </message>
+    <message>
+        <source>Mirror keys</source>
+        <translation>镜像关键姿势</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
+        <translation>没有变化：图钉开始处处于静止，旋转保持原样。</translation>
+    </message>
+</context>
+<context>
     <name>wend::TrackView</name>
     <message>
         <source>Rotate</source>
@@ -8353,10 +8405,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
         <translation>移除运动(&amp;R)</translation>
     </message>
     <message>
-        <source>Remove motion</source>
-        <translation>移除运动</translation>
-    </message>
-    <message>
         <source>Nothing moves yet. Drag a pin, or record it with Ctrl held: what you do appears here, pin by pin.</source>
         <translation>还没有任何运动。拖动图钉，或按住 Ctrl 录制：所做的动作会按图钉列在这里。</translation>
     </message>
@@ -8369,16 +8417,8 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
         <translation>删除动作(&amp;R)</translation>
     </message>
     <message>
-        <source>Remove motions</source>
-        <translation>删除动作</translation>
-    </message>
-    <message>
         <source>Easing</source>
         <translation>缓动</translation>
-    </message>
-    <message>
-        <source>Change easing</source>
-        <translation>更改缓动</translation>
     </message>
     <message>
         <source>&amp;Paste at the Time Shown</source>
@@ -8391,10 +8431,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
     <message>
         <source>&amp;Straighten</source>
         <translation>变为直线(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Straighten</source>
-        <translation>变为直线</translation>
     </message>
     <message>
         <source>Simplify to &amp;Keys</source>
@@ -8413,10 +8449,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
         <translation>多(&amp;M)</translation>
     </message>
     <message>
-        <source>Simplify</source>
-        <translation>简化</translation>
-    </message>
-    <message>
         <source>Key at %1</source>
         <translation>关键姿势：%1</translation>
     </message>
@@ -8427,30 +8459,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
     <message>
         <source>%1: %2 to %3, %4</source>
         <translation>%1：%2 到 %3，%4</translation>
-    </message>
-    <message>
-        <source>Move keys</source>
-        <translation>移动关键姿势</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>移动关键姿势</translation>
-    </message>
-    <message>
-        <source>Remove keys</source>
-        <translation>移除关键姿势</translation>
-    </message>
-    <message>
-        <source>Remove key</source>
-        <translation>移除关键姿势</translation>
-    </message>
-    <message>
-        <source>Paste keys</source>
-        <translation>粘贴关键姿势</translation>
-    </message>
-    <message>
-        <source>Mirror keys</source>
-        <translation>镜像关键姿势</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -8471,10 +8479,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
     <message>
         <source>&amp;Hold to the Next</source>
         <translation>保持到下一个(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>保持</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
@@ -8499,10 +8503,6 @@ PSD、ORA、KRA 和 SVG 连同图层一起打开。也可打开项目、网格�
     <message>
         <source>Drag a key (a diamond) or a bar to another time; Shift, Ctrl or a frame around them choose several. A right-click eases, holds, copies, mirrors. The ends of the line show when the pin holds</source>
         <translation>将关键姿势（菱形）或条拖到别的时间；Shift、Ctrl 或框选可选多个。右键可缓动、保持、复制、镜像。线的两端表示图钉何时固定</translation>
-    </message>
-    <message>
-        <source>Nothing changes: where a pin begins it is at rest, and rotations keep their course.</source>
-        <translation>没有变化：图钉开始处处于静止，旋转保持原样。</translation>
     </message>
     <message>
         <source>Easing Curve</source>

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/engine/shape/shape.h"
 #include "app/engine/shape/shape_builder.h"
 #include "app/panels/fields/energy_slider.h"
@@ -250,8 +251,9 @@ void CompareView::makeSolid() {
     m_solid = new SolidCanvas(m_comparison.other());
     m_other->layout()->addWidget(m_solid);
     m_solid->installEventFilter(this);
-    connect(own, &VolumeView::cameraChanged, this, [this, own] { m_solid->takeView(*own); });
-    connect(own, &SolidCanvas::cutChanged, this, [this, own] { m_solid->takeView(*own); });
+    connectEach(
+        this, [this, own] { m_solid->takeView(*own); }, own, &VolumeView::cameraChanged, own,
+        &SolidCanvas::cutChanged);
     connect(m_solid, &VolumeView::cameraChanged, this, [this, own] {
         if (m_solid->underMouse()) own->takeView(*m_solid);
     });
@@ -359,7 +361,7 @@ TilePictures::TilePictures(ShapeSession& session, const ShapeCanvas& picture,
     m_coarse.document().undoStack()->setUndoLimit(1);
     m_idle.setSingleShot(true);
     m_idle.setInterval(kIdle);
-    connect(&m_idle, &QTimer::timeout, this, &TilePictures::begin);
+    m_idle.callOnTimeout(this, &TilePictures::begin);
     connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &TilePictures::expire);
     connect(&m_session.document(), &Document::opened, this, [this] {
         m_coarse.document().close();

@@ -17,6 +17,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <clocale>
+#include <utility>
 
 #include "app/base/connect_each.h"
 #include "app/panels/distortion_panel.h"
@@ -31,42 +32,41 @@
 #include "app/panels/region_list.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/project/edits/film_edits.h"
+#include "app/session/calm_follower.h"
 #include "app/session/opening.h"
 #include "app/session/part_making.h"
+#include "app/session/settle_step.h"
 #include "app/style/theme.h"
 #include "app/views/canvas/canvas.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
+#include "app/window/actions/bars.h"
 #include "app/window/actions/brush_actions.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/depth_actions.h"
 #include "app/window/actions/language_choice.h"
 #include "app/window/actions/look_choices.h"
-#include "app/window/actions/menus.h"
 #include "app/window/actions/picture_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/actions/watched_keys.h"
 #include "app/window/compare_view.h"
 #include "app/window/export/exporter.h"
-#include "app/window/export/material_actions.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/files/start_page.h"
 #include "app/window/files/taken_over.h"
 #include "app/window/files/thumbnail.h"
-#include "app/window/film/film_controls.h"
+#include "app/window/film/key_pose_strip.h"
+#include "app/window/film/pose_drawing.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
-#include "app/window/help/side_windows.h"
-#include "app/window/help/tutorial.h"
+#include "app/window/help/help.h"
 #include "app/window/notices/info_banner.h"
+#include "app/window/notices/notes.h"
 #include "app/window/notices/offers.h"
-#include "app/window/notices/work_note.h"
 #include "app/window/properties.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/status_fields.h"
-#include "app/window/toolbar/rows.h"
-#include "app/window/view_looks.h"
 #include "app/window/workspace.h"
 
 namespace wend {
@@ -78,36 +78,38 @@ MainWindow::MainWindow(QWidget* parent)
       m_tools(new Toolbox(this)),
       m_actions(new Actions(*m_session.document().undoStack(), *m_tools, this)),
       m_solidActions(new SolidActions(*m_tools, this)),
-      m_depth(new DepthActions(m_session, this)),
+      m_depth(new DepthActions(m_session.document(), m_session.selection(), m_session.motion(), this)),
       m_pins(new PinActions(m_session, this)),
-      m_exporter(new Exporter(m_session, *this)),
+      m_exporter(new Exporter(m_session.playback(), m_session.motion(), *this)),
       m_properties(new Properties(m_session, *m_exporter, *m_tools, *m_actions)),
       m_pictureActions(new PictureActions(this)),
       m_brush(new BrushActions(m_properties->brush(), *m_tools, this)),
-      m_files(new FileWorkflow(m_session.document(), *this)),
-      m_canvas(new ShapeCanvas(m_session)),
-      m_start(new StartPage),
       m_banner(new InfoBanner),
-      m_time(new TimeStrip(m_session)),
+      m_files(new FileWorkflow(m_session.document(), *m_banner, *this)),
+      m_canvas(new ShapeCanvas(m_session)),
+      m_start(new StartPage(*m_files, *m_actions->tutorial)),
       m_tracks(new TrackView(m_session)),
+      m_time(new TimeStrip(m_session.document(), m_session.playback(), m_session.motion(), *m_tracks)),
       m_pages(new QStackedWidget),
-      m_work(new WorkNote(m_session, *m_pages)),
+      m_work(new WorkNote(m_session.motion(), *m_pages)),
       m_tutorial(new Tutorial({m_session.document(), m_session.playback(), *m_actions, *m_tools}, *m_pages)),
       m_appearance(new AppearanceChoice(*m_actions, *this)) {
     setAcceptDrops(true);
     setWindowTitle(QStringLiteral("Wend[*]"));
-    fitToScreen();
-    m_fields = new StatusFields(*statusBar(), m_session);
-    m_solids = new SolidWorkshop({m_session, *m_actions, *m_solidActions, *m_properties}, *this);
+    constexpr QSize kComfortable(1280, 860), kFrame(8, 40);  // within the screen and its frame
+    resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
+    m_fields = new StatusFields(*statusBar(), m_session.document(), m_session.motion());
+    m_solids = new SolidWorkshop(
+        {m_session, *m_actions, *m_solidActions, *m_properties, *m_exporter, *m_banner}, *this);
     m_workspace = std::make_unique<Workspace>(Workspace::Parts{*m_tools, *m_actions, *m_canvas, *m_solids,
                                                                *m_properties, *m_pictureActions, *m_pins,
                                                                m_exporter->crop()});
     m_curves = new CurveActions(
         m_session, [this] { return m_workspace->curve(); }, this);
-    m_material = new MaterialActions(m_session, *m_exporter, this);
+    m_material = new MaterialActions(m_session.document(), m_session.motion(), *m_exporter, this);
     m_properties->layers().setPictureMenu(m_material->menu());
     m_tools->shareKeysWith({m_solidActions, m_curves, m_depth, m_pins, m_brush, m_material, m_actions});
-    m_menu = new ContextMenu({m_session, *m_actions, *m_curves, *m_depth, *m_pins}, this);
+    m_menu = new ContextMenu({m_session.document(), *m_actions, *m_curves, *m_depth, *m_pins}, this);
     m_actions->fillMenuBar(*this, m_solidActions->menu(), m_curves->menu(),
                            {m_pins->menu(), m_depth->menu(), m_brush->menu(), m_material->menu()});
     m_appearance->restore();  // before there are bars: they take their margins from the style but once
@@ -116,22 +118,14 @@ MainWindow::MainWindow(QWidget* parent)
     connectFiles();
     connectEdit();
     connectView();
-    new ViewLooks({m_session, *m_actions, *m_properties, *m_canvas, *m_compare, *m_solids}, this);
-    connect(&m_session.playback(), &Playback::endChanged, this, &MainWindow::showSelection);
-    new FilmControls({m_session, *m_actions, *m_tools, *m_time, *m_tracks, *m_canvas,
-                      [this] { return m_solids->canvas(); }},
-                     this);
-    connect(new SpaceTap(*this), &SpaceTap::tapped, m_actions->play, &QAction::trigger);
-    connectHelp();
+    connectComparison();
+    connectHiding();
+    connectFilm();
+    new SpaceTap(*this, *m_actions->play);
+    new SideWindows(m_session.document(), *m_actions, *m_tools, *this);
     connect(m_appearance, &AppearanceChoice::changed, this, &MainWindow::updateIcons);
     updateIcons();
     showDocument();
-}
-
-/// Sets the initial size: comfortable, but within the screen and its frame.
-void MainWindow::fitToScreen() {
-    constexpr QSize kComfortable(1280, 860), kFrame(8, 40);
-    resize(kComfortable.boundedTo(screen()->availableSize() - kFrame));
 }
 
 /// A hidden field applies the number being typed, so hide while the document exists.
@@ -170,8 +164,9 @@ void MainWindow::makeToolBars() {
     setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-/// Shows the tools of the current step.
+/// Shows the tools of the current step, and the tracks in the step Animate.
 void MainWindow::showTools() {
+    m_tracks->setVisible(!m_session.document().isEmpty() && m_tools->mode() == Mode::Animate);
     const QList<QAction*> tools = m_tools->toolsOf(m_tools->mode());
     if (m_toolBar->actions() == tools) return;
     m_toolBar->clear();
@@ -179,8 +174,6 @@ void MainWindow::showTools() {
 }
 
 void MainWindow::makeCentre() {
-    connect(m_properties, &Properties::done, this, &MainWindow::focusView);
-    connect(new PanelFields(*m_time), &PanelFields::done, this, &MainWindow::focusView);
     connect(qApp, &QApplication::focusChanged, this, &MainWindow::followFocus);
     auto* centre = new QWidget(this);
     auto* row = bareRow(centre, 0);
@@ -199,168 +192,219 @@ void MainWindow::makeCentre() {
     column->addWidget(m_time);
     row->addLayout(column, 1);
     row->addWidget(m_rail = new PropertiesRail(*m_properties, *m_actions->showProperties, centre));
-    connect(m_rail, &PropertiesRail::done, this, &MainWindow::focusView);
+    connectEach(this, &MainWindow::focusView, new PanelFields(*m_properties), &PanelFields::done,
+                &m_properties->pins(), &PinList::done, new PanelFields(*m_time), &PanelFields::done, m_rail,
+                &PropertiesRail::done);
     setCentralWidget(centre);
 }
 
 void MainWindow::connectFiles() {
-    Actions& a = *m_actions;
-    const auto tellIn = [this](Topic topic) {
-        return [this, topic](const auto&... what) { m_banner->tell(topic, what...); };
+    const Actions& a = *m_actions;
+    Document& document = m_session.document();
+    onTriggered(m_files, a.open, &FileWorkflow::askOpen, a.save, &FileWorkflow::save, a.saveAs,
+                &FileWorkflow::saveAs, a.closeFile, &FileWorkflow::close);
+    onTriggered(m_exporter, a.exportPicture, &Exporter::exportPicture, a.exportMesh, &Exporter::exportMesh,
+                a.exportFrames, &Exporter::exportFrames, a.exportStMap, &Exporter::exportStMap);
+    auto* motion = new MotionChooser(document, *m_banner, *this);
+    auto* pictures = new PictureKeeper(document, *m_banner, *a.fit, *this);
+    onTriggered(motion, a.applyMotion, &MotionChooser::ask);
+    onTriggered(pictures, a.replacePicture, &PictureKeeper::askReplace, a.drawingSize,
+                &PictureKeeper::askSize);
+    const auto exportFilm = [this] {
+        m_session.document().dimension() == 3 ? m_solids->exportFilm() : m_exporter->exportFilm();
     };
-    connect(a.open, &QAction::triggered, m_files, &FileWorkflow::askOpen);
-    connect(a.save, &QAction::triggered, m_files, &FileWorkflow::save);
-    connect(a.saveAs, &QAction::triggered, m_files, &FileWorkflow::saveAs);
-    connect(a.closeFile, &QAction::triggered, m_files, &FileWorkflow::close);
-    connect(a.quit, &QAction::triggered, this, &QWidget::close);
-    connect(a.exportPicture, &QAction::triggered, m_exporter, &Exporter::exportPicture);
-    connect(a.exportView, &QAction::triggered, m_solids, &SolidWorkshop::exportView);
+    const auto teach = [this] {
+        m_tutorial->begin();
+        m_files->open(Tutorial::picture());
+    };
+    onTriggered(this, a.quit, &QWidget::close, a.exportFilm, exportFilm, a.tutorial, teach);
+    onTriggered(m_solids, a.exportView, &SolidWorkshop::exportView);
+    m_files->setPractice([this] { return m_tutorial->isPractice(); });
     m_exporter->setLooks({[this](const QSize& size) { return m_solids->smallView(size); },
                           [this] { return m_canvas->shape().screenPicture(); }});
-    constexpr QSize kCard(720, 720);
-    connect(&m_session.document(), &Document::saved, this, [this, kCard] {
+    connect(&document, &Document::saved, this, [this] {
+        constexpr QSize kCard(720, 720);
         keepThumbnail(m_session.document().path(),
                       m_solids->isActive() ? m_solids->smallView(kCard) : m_canvas->shape().smallView(kCard));
     });
-    m_solids->setMayReplace(
-        [this](const QString& path) { return m_exporter->mayReplace(ExportKind::Picture, path, 0); });
-    connect(m_solids, &SolidWorkshop::failed, this, tellIn(Topic::Export));
-    auto* notices = new ShapeNotices(m_session, this);
-    connect(notices, &ShapeNotices::told, this, tellIn(Topic::Mesh));
-    connect(notices, &ShapeNotices::reasonWanted, this, [this] { m_tools->setMode(Mode::Mesh); });
-    connect(notices, &ShapeNotices::reasonWanted, m_rail, &PropertiesRail::openAtSurface);
-    connect(m_solids, &SolidWorkshop::done, this, &MainWindow::tellDone);
-    const MeshPanel* mesh = &m_properties->mesh();
-    connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
-    connect(mesh, &MeshPanel::sizesWanted, m_solidActions->sizes, &QAction::trigger);
-    connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
-    connect(a.exportMesh, &QAction::triggered, m_exporter, &Exporter::exportMesh);
-    connect(a.exportFrames, &QAction::triggered, m_exporter, &Exporter::exportFrames);
-    connect(a.exportFilm, &QAction::triggered, this, [this] {
-        const bool isSolid = m_session.document().dimension() == 3;
-        isSolid ? m_solids->exportFilm() : m_exporter->exportFilm();
-    });
-    connect(a.exportStMap, &QAction::triggered, m_exporter, &Exporter::exportStMap);
-    connect(m_exporter, &Exporter::failed, this, tellIn(Topic::Export));
     connect(m_exporter, &Exporter::begun, this, [this] { m_banner->clear(Topic::Export); });
-    connect(m_exporter, &Exporter::done, this, &MainWindow::tellDone);
-    connect(m_material, &MaterialActions::failed, this, tellIn(Topic::Export));
-    connect(m_material, &MaterialActions::done, m_fields, &StatusFields::showMessage);
-    connect(m_files, &FileWorkflow::said, m_banner, &InfoBanner::tell);
-    connect(&m_session.document(), &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
-    connectChoices();
-    auto* offers = new Offers(m_session.document(), *m_banner, this);
-    connect(offers, &Offers::sizeWanted, a.drawingSize, &QAction::trigger);
+    connect(m_exporter, &Exporter::done, this, [this](const QString& text) {
+        m_banner->clear(Topic::Export);  // an export that failed before has its file now
+        m_fields->showMessage(text);
+    });
+    connectEach(
+        this, [this](const QString& text) { m_banner->tell(Topic::Export, text); }, m_exporter,
+        &Exporter::failed, m_material, &MaterialActions::failed);
+    connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
+    connect(&document, &Document::opened, m_banner, qOverload<>(&InfoBanner::clear));
+    auto* notices = new ShapeNotices(m_session, *m_banner, this);
+    connect(notices, &ShapeNotices::reasonWanted, this, [this] {
+        m_tools->setMode(Mode::Mesh);
+        m_rail->openAtSurface();
+    });
+    new Offers(document, *m_banner, *a.drawingSize, this);
     new RidingOffer(m_session, *m_banner, this);
-    new SpringOffer(m_session, *m_banner, this);
+    new SpringOffer(document, m_session.playback(), *m_banner, this);
     new OpeningNote(*m_files, *m_canvas, *m_pages);
-    const auto showRecent = [this] { m_files->fillRecent(*m_actions->recent); };
-    connect(m_files, &FileWorkflow::recentChanged, this, showRecent);
-    showRecent();
-    m_start->serve(*m_files);
-    m_files->fillSamples(*a.samples);
-    connect(&m_session.document(), &Document::opened, this, &MainWindow::showDocument);
-    connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(&m_session.motion(), &ShapeMotion::problem, this,
-            [this](const QString& text) { m_banner->tell(Topic::Shape, text, problemRemedies(m_session)); });
-    connect(&m_session.document(), &Document::notice, m_fields, &StatusFields::showMessage);
-}
-
-/// Connects what the document takes over from other files.
-void MainWindow::connectChoices() {
-    auto* motion = new MotionChooser(m_session.document(), *this);
-    connect(m_actions->applyMotion, &QAction::triggered, motion, &MotionChooser::ask);
-    auto* pictures = new PictureKeeper(m_session.document(), *this);
-    connect(m_actions->replacePicture, &QAction::triggered, pictures, &PictureKeeper::askReplace);
-    connect(m_actions->drawingSize, &QAction::triggered, pictures, &PictureKeeper::askSize);
-    connect(pictures, &PictureKeeper::resized, m_actions->fit, &QAction::trigger);
-    connect(pictures, &PictureKeeper::said, m_banner, &InfoBanner::tell);
-    connect(motion, &MotionChooser::failed, this,
-            [this](const QString& text) { m_banner->tell(Topic::Opening, text); });
-    connect(motion, &MotionChooser::applied, this, [this](const QString& remarks) {
-        m_banner->clear(Topic::Opening);
-        m_banner->tell(Topic::Remark, remarks);
+    m_files->fillMenus(*a.recent, *a.samples);
+    connect(&document, &Document::opened, this, &MainWindow::showDocument);
+    connect(&document, &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_session.motion(), &ShapeMotion::problem, this, [this](const QString& text) {
+        m_banner->tell(Topic::Shape, text,
+                       problemRemedies(m_session.document(), m_session.motion().lacksMemory()));
     });
 }
 
 void MainWindow::connectEdit() {
-    Actions& a = *m_actions;
-    connect(a.remove, &QAction::triggered, &m_session, &ShapeSession::removeSelected);
-    connect(a.selectNone, &QAction::triggered, &m_session.selection(), &Selection::clear);
-    connect(a.selectAll, &QAction::triggered, this, [this] {
+    const Actions& a = *m_actions;
+    const auto selectAll = [this] {
         std::vector<int> all;
         for (const auto& pin : m_session.gestures().pins()) all.push_back(pin.handle);
         m_session.selection().set(std::move(all));
-    });
-    connect(a.makePart, &QAction::triggered, this, [this] {
+    };
+    const auto makePart = [this] {
         if (makePartOfOutline(m_session)) return;
         m_pictureActions->makesPart->setChecked(true);
         m_actions->lassoTool->trigger();
-    });
+    };
+    onTriggered(&m_session, a.remove, &ShapeSession::removeSelected);
+    onTriggered(&m_session.selection(), a.selectNone, &Selection::clear);
+    onTriggered(this, a.selectAll, selectAll, a.makePart, makePart);
+    const MeshPanel* mesh = &m_properties->mesh();
+    connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
+    connect(mesh, &MeshPanel::sizesWanted, m_solidActions->sizes, &QAction::trigger);
+    connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
     connect(&m_properties->mesh(), &MeshPanel::partChosen, this, [this](int part) {
         const auto& parts = m_session.document().domain().parts;
         m_pictureActions->pen().change(
             &OutlineSettings::part, part < 0 ? std::string() : parts.at(static_cast<std::size_t>(part)).name);
     });
-    connect(&m_session.selection(), &Selection::changed, this, &MainWindow::showSelection);
+    connectEach(this, &MainWindow::showSelection, &m_session.selection(), &Selection::changed,
+                &m_session.playback(), &Playback::endChanged);
+    const auto refresh = [this] {
+        m_pins->refresh();
+        m_depth->refresh();
+        m_curves->refresh();
+        m_fields->refresh();
+    };
+    new CalmFollower(m_session.motion(), this, refresh, &m_session.gestures(), &ShapeGesture::pinsChanged,
+                     &m_session.motion(), &ShapeMotion::frameChanged);
     connect(&m_properties->pins(), &PinList::menuWanted, this,
             [this](const QPoint& at) { m_menu->popUp(at, MenuPlace::Handle); });
 }
 
 void MainWindow::connectView() {
-    Actions& a = *m_actions;
+    const Actions& a = *m_actions;
     connect(&m_properties->detailRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDetailRegions);
     connect(&m_properties->depthRegions(), &RegionList::chosen, m_canvas, &ShapeCanvas::setDepthRegions);
-    connect(a.fit, &QAction::triggered, m_canvas, &ShapeCanvas::fit);
-    connect(a.actualSize, &QAction::triggered, this,
-            [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
+    onTriggered(
+        m_canvas, a.fit, &ShapeCanvas::fit, a.zoomIn, [this] { m_canvas->zoomBy(1.25); }, a.zoomOut,
+        [this] { m_canvas->zoomBy(0.8); }, a.actualSize,
+        [this] { m_canvas->zoomTo(1 / m_canvas->devicePixelRatioF()); });
     const auto tellZoom = [this] {
         const bool isFlat = m_session.document().dimension() == 2;
         m_modes->showZoom(isFlat ? m_canvas->view().zoom() * m_canvas->devicePixelRatioF() : 0);
     };
-    connect(m_canvas, &ShapeCanvas::viewChanged, this, tellZoom);
-    connect(&m_session.document(), &Document::opened, this, tellZoom);
-    connect(a.zoomIn, &QAction::triggered, this, [this] { m_canvas->zoomBy(1.25); });
-    connect(a.zoomOut, &QAction::triggered, this, [this] { m_canvas->zoomBy(0.8); });
-    connect(a.fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+    connectEach(this, tellZoom, m_canvas, &ShapeCanvas::viewChanged, &m_session.document(),
+                &Document::opened);
+    onToggled(this, a.fullScreen, [this](bool on) { on ? showFullScreen() : showNormal(); });
     const DistortionPanel* distortion = &m_properties->distortion();
     connectEach(
-        m_actions->showMap, [this] { m_actions->showMap->setChecked(true); }, distortion,
-        &DistortionPanel::mapChosen, distortion, &DistortionPanel::showWorst, distortion,
-        &DistortionPanel::placeWanted);
+        this, [this] { m_actions->showMap->setChecked(true); }, distortion, &DistortionPanel::mapChosen,
+        distortion, &DistortionPanel::showWorst, distortion, &DistortionPanel::placeWanted);
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
     connectViewport(m_canvas->viewport());
-    connect(m_solids, &SolidWorkshop::viewportMade, this, [this](Viewport& view) {
-        connectViewport(view);
-        connect(m_solids->canvas(), &VolumeView::cameraChanged, m_exporter, &Exporter::viewTurned);
-    });
+    connect(m_solids, &SolidWorkshop::viewportMade, this, &MainWindow::connectViewport);
 }
 
 /// Connects a viewport of pictures or solids.
 void MainWindow::connectViewport(Viewport& view) {
-    connect(&view, &Viewport::hintChanged, m_fields, &StatusFields::setHint);
-    connect(&view, &Viewport::hintChanged, m_curves, &CurveActions::refresh);
+    connect(&view, &Viewport::hintChanged, this, [this](const QString& hint) {
+        m_fields->setHint(hint);
+        m_curves->refresh();
+    });
     connect(&view, &Viewport::menuWanted, m_menu, &ContextMenu::popUp);
     connect(&view, &Viewport::pointed, m_fields, &StatusFields::setPointer);
-    connect(&m_properties->groups(), &GroupList::marked, &view,
-            [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
     connect(&m_properties->layers(), &LayerPanel::chosen, &view,
             [&view](Id layer) { view.set(&Looks::layer, layer); });
+    connect(&m_properties->groups(), &GroupList::marked, &view,
+            [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
     const DistortionPanel* distortion = &m_properties->distortion();
     connect(distortion, &DistortionPanel::showWorst, &view, &Viewport::showWorst);
     connect(distortion, &DistortionPanel::placeWanted, &view, &Viewport::showPlace);
 }
 
-void MainWindow::connectHelp() {
-    new SideWindows(m_session.document(), *m_actions, *m_tools, *this);
-    connect(m_start, &StartPage::tutorialRequested, m_actions->tutorial, &QAction::trigger);
-    connect(m_actions->languages, &LanguageChoice::changed, m_fields, &StatusFields::showMessage);
-    m_files->setPractice([this] { return m_tutorial->isPractice(); });
-    connect(m_actions->tutorial, &QAction::triggered, this, [this] {
-        m_tutorial->begin();
-        m_files->open(Tutorial::picture());
+/// A comparison starts by a tile dragged to the shape, or by the action; hovering a tile previews it.
+void MainWindow::connectComparison() {
+    EnergySlider& tiles = *m_properties->material().energySlider();
+    for (ShapeCanvas* half : {m_canvas, &m_compare->picture()})
+        followLooks(half->viewport(), *m_actions, m_properties->distortion());
+    connect(m_compare, &CompareView::solidMade, m_solids, &SolidWorkshop::connectLooks);
+    connect(&tiles, &EnergySlider::hovered, m_compare, &CompareView::preview);
+    connect(m_compare, &CompareView::splitChanged, m_actions->compare, &QAction::setChecked);
+    onToggled(this, m_actions->compare, [this, &tiles](bool on) {
+        if (!on) return m_compare->join();
+        const auto& stops = tiles.scale().stops();
+        const int other = tiles.scale().stopAt(tiles.phi()) == 1 ? 3 : 1;
+        if (!m_compare->isSplit()) m_compare->split(stops[other].phi);
     });
+    new TilePictures(
+        m_session, *m_canvas, [this] { return m_solids->canvas(); }, tiles);
+}
+
+/// Connects hiding of overlays and showing the rest shape, by switches or by held keys.
+void MainWindow::connectHiding() {
+    auto *bare = new HeldKey(Qt::Key_H, *this), *before = new HeldKey(Qt::Key_Backslash, *this);
+    const auto show = [this, bare, before] {
+        const bool rest = m_actions->showRest->isChecked() || before->isHeld();
+        const bool hidden = rest || m_actions->hideOverlays->isChecked() || bare->isHeld();
+        std::vector<Viewport*> views = {&m_canvas->viewport(), &m_compare->picture().viewport()};
+        for (SolidCanvas* solid : {m_solids->canvas(), m_compare->solid()})
+            if (solid) views.push_back(&solid->viewport());
+        for (Viewport* view : views) {
+            view->set(&Looks::hidden, hidden);
+            view->set(&Looks::rest, rest);
+        }
+    };
+    connectEach(this, show, m_actions->hideOverlays, &QAction::toggled, m_actions->showRest,
+                &QAction::toggled, bare, &HeldKey::heldChanged, before, &HeldKey::heldChanged);
+}
+
+/// Connects playback, recording and time with the strip below the canvas and with the tracks.
+void MainWindow::connectFilm() {
+    Actions& a = *m_actions;
+    Document& document = m_session.document();
+    Playback& playback = m_session.playback();
+    ShapeGesture& gestures = m_session.gestures();
+    m_time->playButton()->setDefaultAction(a.play);
+    m_time->loopButton()->setDefaultAction(a.loop);
+    onTriggered(
+        this, a.play, [&playback] { playback.setPlaying(!playback.isPlaying()); }, a.toStart,
+        [&playback] { playback.setTime(0); }, a.toEnd, [&playback] { playback.setTime(playback.end()); },
+        a.settle, [&document, &playback] { settleAtEnd(document, playback); });
+    connect(a.speed.get(), &QMenu::triggered, this, [&a, &playback](const QAction* chosen) {
+        playback.setSpeed(chosen->data().toDouble());
+        a.setSpeed(playback.speed());
+    });
+    connect(&playback, &Playback::playingChanged, &a, &Actions::setPlaying);
+    onToggled(&playback, a.loop, &Playback::setLoops);
+    onToggled(&gestures, a.record, &ShapeGesture::setRecording, a.keepWay, &ShapeGesture::setKeepsWay);
+    const auto pose = [this, &gestures] {
+        gestures.setPosing(m_actions->poseHere->isChecked() && m_tools->mode() == Mode::Animate);
+    };
+    connectEach(this, pose, a.poseHere, &QAction::toggled, m_tools, &Toolbox::changed);
+    connectEach(this, &MainWindow::takeCycle, &document, &Document::projectChanged, &document,
+                &Document::opened);
+    m_tracks->poses().setDrawing(new PoseDrawing(
+        *m_canvas, [this] { return m_solids->canvas(); }, this));
+}
+
+/// A cycle that is marked or opened loops.
+void MainWindow::takeCycle() {
+    const auto cycle = filmMarksOf(m_session.document()).cycle;
+    m_session.playback().setCycle(cycle ? cycle->at(0) : 0, cycle ? cycle->at(1) : 0);
+    if (!std::exchange(m_hasCycle, cycle.has_value()) && cycle) m_actions->loop->setChecked(true);
 }
 
 void MainWindow::openPath(const QString& path) {
@@ -374,7 +418,10 @@ void MainWindow::showDocument() {
     m_solidActions->resetView();
     m_pictureActions->adds->setChecked(true);
     m_solids->setActive(solid);
-    if (solid && m_pages->indexOf(m_solids->page()) < 0) addSolidPage();
+    if (solid && m_pages->indexOf(m_solids->page()) < 0) {
+        setAttribute(Qt::WA_Moved);  // Qt recreates the window for OpenGL; this keeps its position
+        m_pages->addWidget(m_solids->page());
+    }
     QWidget* shape = solid ? m_solids->page() : m_canvas;
     m_pages->setCurrentWidget(has ? shape : m_start);
     m_tools->setDimension(has && (!solid || m_solids->canvas()) ? m_session.document().dimension() : 0);
@@ -386,18 +433,6 @@ void MainWindow::showDocument() {
     m_fields->forgetMessage();
     showSelection();
     showTitle();
-}
-
-/// Qt recreates the window for OpenGL; the attribute keeps its position.
-void MainWindow::addSolidPage() {
-    setAttribute(Qt::WA_Moved);
-    m_pages->addWidget(m_solids->page());
-}
-
-/// An export that failed before has its file now.
-void MainWindow::tellDone(const QString& text) {
-    m_banner->clear(Topic::Export);
-    m_fields->showMessage(text);
 }
 
 void MainWindow::showSelection() {

@@ -83,16 +83,15 @@ class MainWindow : public QMainWindow {
     void makeToolBars();
     void makeCentre();
     void connectFiles();
-    void connectChoices();
     void connectEdit();
     void connectView();
     void connectViewport(Viewport& view);
-    void connectHelp();
-    void tellDone(const QString& text);
+    void connectComparison();
+    void connectHiding();
+    void connectFilm();
+    void takeCycle();
     void showDocument();
-    void addSolidPage();
     void showTools();
-    void fitToScreen();
     void showTitle();
     void showSelection();
     void updateIcons();
@@ -114,13 +113,13 @@ class MainWindow : public QMainWindow {
     BrushActions* m_brush;
     CurveActions* m_curves = nullptr;
     ContextMenu* m_menu = nullptr;
+    InfoBanner* m_banner;
     FileWorkflow* m_files;
     ShapeCanvas* m_canvas;
     CompareView* m_compare = nullptr;
     StartPage* m_start;
-    InfoBanner* m_banner;
-    TimeStrip* m_time;
     TrackView* m_tracks;
+    TimeStrip* m_time;
     StatusFields* m_fields = nullptr;
     SolidWorkshop* m_solids = nullptr;
     QStackedWidget* m_pages;
@@ -132,6 +131,7 @@ class MainWindow : public QMainWindow {
     OptionRow* m_options = nullptr;
     std::unique_ptr<Workspace> m_workspace;
     AppearanceChoice* m_appearance;
+    bool m_hasCycle = false;
 };
 
 /// Opens the window, with the file that the first argument names, if any; returns the program's exit code.

@@ -17,7 +17,6 @@
 #include "app/panels/cut_panel.h"
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
-#include "app/panels/fields/panel_fields.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/film_panel.h"
 #include "app/panels/flow_panel.h"
@@ -106,8 +105,6 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
     column->addWidget(m_reach);
     column->addWidget(panelLine(this));
     column->addWidget(m_scroll, 1);
-    connect(new PanelFields(*this), &PanelFields::done, this, &Properties::done);
-    connect(m_pins, &PinList::done, this, &Properties::done);
     connect(&m_tools, &Toolbox::changed, this, &Properties::arrange);
     m_material->installEventFilter(this);
     arrange();
@@ -140,7 +137,7 @@ void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& 
     put(selectionArea(session), tr("Selection"), "select", {.modes = posing});
     put(new FlowPanel(session.document(), session.playback()), tr("Flow"), "curve", {.modes = Mode::Animate});
     put(new FilmPanel(session.document()), tr("Film"), "frames", {.modes = Mode::Animate});
-    put(new ExportPanel(session, exporter, actions), tr("Export"), "export",
+    put(new ExportPanel(session.motion(), exporter, actions), tr("Export"), "export",
         {.modes = Mode::Export, .fills = true});
     put(m_measure, tr("Measure"), "measure", {.modes = Modes::all(), .flat = false, .tool = "measure"});
     put(m_cut, tr("Cut"), "cut", {.modes = Mode::Mesh, .flat = false});
@@ -233,7 +230,7 @@ void Properties::showSection(QWidget& section) {
 
 void Properties::showCutWhile(const QAction& on) {
     place(*m_cut).when.on = &on;
-    connect(&on, &QAction::toggled, this, [this](bool shown) {
+    onToggled(this, &on, [this](bool shown) {
         arrange();
         if (shown) QTimer::singleShot(0, this, [this] { m_scroll->ensureWidgetVisible(m_cut); });
     });
@@ -274,7 +271,7 @@ PropertiesRail::PropertiesRail(Properties& properties, QAction& shown, QWidget* 
     m_column->addStretch(1);
     m_properties.setParent(parent);
     m_properties.hide();
-    connect(&m_shown, &QAction::triggered, this, &PropertiesRail::take);
+    onTriggered(this, &m_shown, &PropertiesRail::take);
     connect(&m_properties, &Properties::sectionsChanged, this, &PropertiesRail::showSections);
     showSections();
 }

@@ -75,8 +75,6 @@ class Properties : public QWidget {
     void showCutWhile(const QAction& on);
 
   signals:
-    /// Emitted after a field has applied its text, to return the focus to the view.
-    void done();
     void sectionsChanged();
 
   protected:

@@ -11,19 +11,21 @@
 #include "app/panels/distortion_panel.h"
 #include "app/panels/facts_panel.h"
 #include "app/panels/measure_panel.h"
+#include "app/panels/region_list.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/session/opening.h"
 #include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/actions.h"
-#include "app/window/export/picture_dialog.h"
-#include "app/window/export/save_dialog.h"
+#include "app/window/export/dialogs.h"
+#include "app/window/export/exporter.h"
 #include "app/window/export/view_picture.h"
 #include "app/window/files/taken_over.h"
+#include "app/window/notices/info_banner.h"
 #include "app/window/properties.h"
 #include "app/window/surface/surface_check.h"
-#include "app/window/view_looks.h"
+#include "app/window/workspace.h"
 #include "core/base/error.h"
 
 namespace wend {
@@ -33,9 +35,13 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
       m_around(around),
       m_window(window),
       m_actions(around.solids),
-      m_check(new SurfaceCheck(around.session, around.properties.surface(), window)),
-      m_detail(new DetailChooser(around.session.document(), window)) {
-    connectDetail();
+      m_check(new SurfaceCheck(around.session.document(), around.session.playback(), around.session.motion(),
+                               around.properties.surface(), window)),
+      m_detail(new DetailChooser(around.session.document(), around.banner, window)) {
+    onTriggered(m_detail, m_actions.chooseDetail, &DetailChooser::ask, m_actions.removeDetail,
+                &DetailChooser::remove);
+    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions.detail->setChecked(true); });
+    connect(&around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
     around.properties.showCutWhile(*m_actions.cut);
 }
 
@@ -73,18 +79,19 @@ void SolidWorkshop::makePage() {
 void SolidWorkshop::connectView() {
     Actions& common = m_around.actions;
     DistortionPanel& maps = m_around.properties.distortion();
-    Viewport& view = m_canvas->viewport();
     connectLooks(m_canvas);
-    connect(common.fit, &QAction::triggered, m_canvas, &VolumeView::fit);
     const auto zoom = [this](double factor) {
         Camera camera = m_canvas->camera();
         camera.zoom(factor, {m_canvas->width() / 2.0, m_canvas->height() / 2.0}, m_canvas->size());
         m_canvas->setCamera(camera);
     };
-    connect(common.zoomIn, &QAction::triggered, m_canvas, [zoom] { zoom(1.25); });
-    connect(common.zoomOut, &QAction::triggered, m_canvas, [zoom] { zoom(0.8); });
-    connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this,
-            [this] { m_actions.setHasDetail(m_canvas->solidLook().hasDetail()); });
+    onTriggered(
+        m_canvas, common.fit, &VolumeView::fit, common.zoomIn, [zoom] { zoom(1.25); }, common.zoomOut,
+        [zoom] { zoom(0.8); });
+    connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this, [this] {
+        m_actions.setHasDetail(m_canvas->solidLook().hasDetail());
+        showCut();
+    });
     connect(&m_around.properties.detailRegions(), &RegionList::chosen, &m_canvas->overlay(),
             &SolidOverlay::setDetailRegions);
     connect(&m_around.properties.facts(), &FactsPanel::cellWanted, m_canvas, [this](int cell) {
@@ -98,7 +105,8 @@ void SolidWorkshop::connectView() {
     };
     connect(m_canvas, &VolumeView::picturesMissing, this, tellMissing, Qt::QueuedConnection);
     connect(m_canvas, &SolidCanvas::pointedAt, &m_around.properties.measure(), &MeasurePanel::setPointed);
-    emit viewportMade(view);
+    connect(m_canvas, &VolumeView::cameraChanged, &m_around.exporter, &Exporter::viewTurned);
+    emit viewportMade(m_canvas->viewport());
 }
 
 void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
@@ -107,29 +115,24 @@ void SolidWorkshop::connectLooks(SolidCanvas* canvas) {
     followLook(view, m_actions.detail, &Looks::detail);
     followLook(view, m_actions.flat, &Looks::flat);
     canvas->setOrthographic(m_actions.orthographic->isChecked());
-    connect(m_actions.orthographic, &QAction::toggled, canvas, &VolumeView::setOrthographic);
+    onToggled(canvas, m_actions.orthographic, &VolumeView::setOrthographic);
 }
 
 /// Connects viewpoints and mouse navigation.
 void SolidWorkshop::connectNavigation() {
     SolidActions& a = m_actions;
-    using Axis = Camera::Axis;
-    for (const auto& [action, axis] : {std::pair{a.front, Axis::Front},
-                                       {a.back, Axis::Back},
-                                       {a.right, Axis::Right},
-                                       {a.left, Axis::Left},
-                                       {a.top, Axis::Top},
-                                       {a.bottom, Axis::Bottom},
-                                       {a.oblique, Axis::Isometric}})
-        connect(action, &QAction::triggered, m_canvas, [this, axis = axis] { m_canvas->look(axis); });
+    using enum Camera::Axis;
+    const auto look = [this](Camera::Axis axis) { return [this, axis] { m_canvas->look(axis); }; };
+    onTriggered(m_canvas, a.front, look(Front), a.back, look(Back), a.right, look(Right), a.left, look(Left),
+                a.top, look(Top), a.bottom, look(Bottom), a.oblique, look(Isometric));
     for (int k = 0; k < 3; ++k)
-        connect(a.upAxes[k], &QAction::triggered, this,
-                [this, k] { changeSetting(m_around.session.document(), "view.up", k); });
+        onTriggered(this, a.upAxes[k],
+                    [this, k] { changeSetting(m_around.session.document(), "view.up", k); });
     connect(m_canvas, &VolumeView::cameraChanged, this,
             [this] { m_actions.orthographic->setChecked(m_canvas->camera().orthographic()); });
     const std::array<QAction*, 3> presets = {a.wendKeys, a.vtkKeys, a.blenderKeys};
     for (int k = 0; k < 3; ++k)
-        connect(presets[k], &QAction::toggled, m_canvas, [this, k](bool on) {
+        onToggled(m_canvas, presets[k], [this, k](bool on) {
             if (!on) return;
             m_canvas->navigation().setPreset(static_cast<NavigationPreset>(k));
             preferences::navigation.set(k);
@@ -139,9 +142,10 @@ void SolidWorkshop::connectNavigation() {
 }
 
 void SolidWorkshop::connectCut() {
-    connect(m_actions.holdBeyond, &QAction::triggered, this, &SolidWorkshop::holdBeyondCut);
-    connect(m_actions.cut, &QAction::toggled, m_canvas,
-            [this](bool on) { m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None); });
+    onTriggered(this, m_actions.holdBeyond, &SolidWorkshop::holdBeyondCut);
+    onToggled(m_canvas, m_actions.cut, [this](bool on) {
+        m_canvas->setCutKind(on ? static_cast<CutKind>(m_lastCut) : CutKind::None);
+    });
     CutPanel* panel = &m_around.properties.cut();
     connect(panel, &CutPanel::kindChosen, m_canvas, [this](int kind) {
         if (kind > 0) m_lastCut = kind;
@@ -149,15 +153,6 @@ void SolidWorkshop::connectCut() {
     });
     connect(panel, &CutPanel::planeChosen, m_canvas, &SolidCanvas::setCutPlane);
     connect(m_canvas, &SolidCanvas::cutChanged, this, &SolidWorkshop::showCut);
-    connect(&m_around.session.motion(), &ShapeMotion::frameChanged, this, &SolidWorkshop::showCut);
-}
-
-void SolidWorkshop::connectDetail() {
-    connect(m_actions.chooseDetail, &QAction::triggered, m_detail, &DetailChooser::ask);
-    connect(m_actions.removeDetail, &QAction::triggered, m_detail, &DetailChooser::remove);
-    connect(&m_around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
-    connect(m_detail, &DetailChooser::failed, this, &SolidWorkshop::failed);
-    connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions.detail->setChecked(true); });
 }
 
 void SolidWorkshop::showDomain() {
@@ -171,16 +166,21 @@ void SolidWorkshop::showDomain() {
         m_around.actions.pinTool->setChecked(true);
 }
 
+void SolidWorkshop::tellFailed(const QString& text) {
+    m_around.banner.tell(InfoBanner::Topic::Export, text);
+}
+
 void SolidWorkshop::exportView() {
     askForView({});
 }
 
 void SolidWorkshop::exportFilm() {
-    const ShapeSession& session = m_around.session;
-    if (!session.motion().frame() || session.motion().isBusy() || session.motion().isStale())
-        return emit failed(tr("The shape is still being computed. Try again in a moment."));
-    const Document& document = session.document();
-    askForView(FilmSubject{document.project(), session.playback().end(), document.folder().toStdString()});
+    const ShapeMotion& motion = m_around.session.motion();
+    if (!motion.frame() || motion.isBusy() || motion.isStale())
+        return tellFailed(tr("The shape is still being computed. Try again in a moment."));
+    const Document& document = motion.document();
+    const double end = m_around.session.playback().end();
+    askForView(FilmSubject{document.project(), end, document.folder().toStdString()});
 }
 
 void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
@@ -195,13 +195,14 @@ void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
         const QString name = QFileInfo(document.displayName()).completeBaseName() + dialog.extension();
         path = askFileToWrite(&m_window, dialog.windowTitle(), QDir(proposedFolder(document)).filePath(name),
                               dialog.filter());
-        if (!path.isEmpty() && m_mayReplace && !m_mayReplace(path)) path.clear();
+        if (!path.isEmpty() && !m_around.exporter.mayReplace(ExportKind::Picture, path, 0)) path.clear();
     }
     try {
-        if (writeViewPicture(path, *m_canvas, dialog.choice()))
-            emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+        if (!writeViewPicture(path, *m_canvas, dialog.choice())) return;
+        m_around.banner.clear(InfoBanner::Topic::Export);  // an export that failed before has its file now
+        m_around.session.document().notify(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     } catch (const std::exception& error) {
-        emit failed(tr("Nothing was written. %1").arg(said(error)));
+        tellFailed(tr("Nothing was written. %1").arg(said(error)));
     }
 }
 
@@ -241,8 +242,8 @@ void SolidWorkshop::holdBeyondCut() {
     std::vector<int> beyond;
     for (Eigen::Index v = 0; v < frame->pose.cols(); ++v)
         if (plane.height(frame->pose.col(v)) > 0) beyond.push_back(static_cast<int>(v));
-    ShapeSession& session = m_around.session;
-    if (!beyond.empty()) session.addHandle(session.pins().placementOf(beyond), tr("Area").toStdString());
+    if (beyond.empty()) return;
+    m_around.session.addHandle(m_around.session.pins().placementOf(beyond), tr("Area").toStdString());
 }
 
 }  // namespace wend

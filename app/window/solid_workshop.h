@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <optional>
 
 #include "app/tools/tool.h"
@@ -13,6 +11,8 @@ namespace wend {
 
 class Actions;
 class DetailChooser;
+class Exporter;
+class InfoBanner;
 class Properties;
 class ShapeSession;
 class SolidCanvas;
@@ -30,6 +30,8 @@ class SolidWorkshop : public QObject {
         Actions& actions;
         SolidActions& solids;
         Properties& properties;
+        Exporter& exporter;
+        InfoBanner& banner;
     };
     SolidWorkshop(const Surroundings& around, QWidget& window);
 
@@ -50,8 +52,6 @@ class SolidWorkshop : public QObject {
     QImage smallView(const QSize& size);
     /// Connects the view options of a canvas, for both halves.
     void connectLooks(wend::SolidCanvas* canvas);
-    /// Asked before a file is written.
-    void setMayReplace(std::function<bool(const QString&)> may) { m_mayReplace = std::move(may); }
     /// Returns the page of the window; null before the first solid.
     QWidget* page() const { return m_page; }
     /// Returns null if OpenGL is missing.
@@ -60,8 +60,6 @@ class SolidWorkshop : public QObject {
   signals:
     /// The view of solids is there.
     void viewportMade(wend::Viewport& view);
-    void failed(QString text);
-    void done(QString text);
 
   private:
     void askForView(const std::optional<FilmSubject>& film);
@@ -69,8 +67,8 @@ class SolidWorkshop : public QObject {
     void connectView();
     void connectNavigation();
     void connectCut();
-    void connectDetail();
     void showCut();
+    void tellFailed(const QString& text);
     void holdBeyondCut();
 
     Surroundings m_around;
@@ -80,7 +78,6 @@ class SolidWorkshop : public QObject {
     DetailChooser* m_detail;
     QWidget* m_page = nullptr;
     SolidCanvas* m_canvas = nullptr;
-    std::function<bool(const QString&)> m_mayReplace;
     bool m_isActive = false;
     int m_lastCut = 2;
     PlainView m_plain;

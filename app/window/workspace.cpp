@@ -1,8 +1,10 @@
 #include "app/window/workspace.h"
 
+#include "app/base/connect_each.h"
 #include "app/views/canvas/canvas.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
+#include "app/window/actions/look_choices.h"
 #include "app/window/actions/picture_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
@@ -10,6 +12,30 @@
 #include "app/window/solid_workshop.h"
 
 namespace wend {
+
+void followLooks(Viewport& view, const Actions& a, const DistortionPanel& map) {
+    for (const auto& [action, look] : {std::pair{a.showMesh, &Looks::mesh},
+                                       {a.showMap, &Looks::map},
+                                       {a.showMarks, &Looks::marks},
+                                       {a.showArrows, &Looks::arrows},
+                                       {a.onionSkin, &Looks::onionSkin}})
+        followLook(view, action, look);
+    const auto paper = [&view](const QColor& colour) { view.set(&Looks::backdrop, colour); };
+    paper(a.backdrop->colour());
+    QObject::connect(a.backdrop, &BackdropChoice::changed, &view, paper);
+    const auto colour = [&view, &map] {
+        view.set(&Looks::colours, {map.measure(), map.range(), map.opacity(), map.isSmooth()});
+    };
+    colour();
+    connectEach(&view, colour, &map, &DistortionPanel::opacityChanged, &map, &DistortionPanel::mapChanged,
+                &map, &DistortionPanel::smoothChanged);
+    view.setRangeKeeper(map.keepRange());
+}
+
+void followLook(Viewport& view, const QAction* action, bool Looks::*look) {
+    view.set(look, action->isChecked());
+    onToggled(&view, action, [&view, look](bool on) { view.set(look, on); });
+}
 
 PaintMap::PaintMap(DistortionPanel& panel, QAction& showMap) : m_panel(panel), m_showMap(showMap) {
     QObject::connect(&panel, &DistortionPanel::mapChosen, &m_listener, [this] { m_isChosen = true; });
@@ -46,11 +72,11 @@ Workspace::Workspace(const Parts& parts)
     connect(&m_parts.tools, &Toolbox::changed, this, &Workspace::show);
     // Choosing a marquee shape activates the select tool, unless the pin tool is active.
     for (const QAction* action : {parts.pins.selectRectangle, parts.pins.selectLasso, parts.pins.selectBrush})
-        connect(action, &QAction::triggered, this, [this] {
+        onTriggered(this, action, [this] {
             if (!m_parts.tools.isChosen("pin")) m_parts.actions.selectTool->trigger();
         });
-    connect(parts.solids.actions().through, &QAction::toggled, m_bench.pins,
-            [pins = m_bench.pins](bool on) { pins->change(&PinSettings::through, on); });
+    onToggled(m_bench.pins, parts.solids.actions().through,
+              [pins = m_bench.pins](bool on) { pins->change(&PinSettings::through, on); });
     connect(m_bench.brush, &Brush::changed, this, &Workspace::takeBrush);
     show();
 }

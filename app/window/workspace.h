@@ -19,6 +19,11 @@ class ShapeCanvas;
 class SolidWorkshop;
 class Toolbox;
 class Viewport;
+struct Looks;
+
+/// Makes a view follow the view actions and the map's panel, or a single switch.
+void followLooks(Viewport& view, const Actions& actions, const DistortionPanel& map);
+void followLook(Viewport& view, const QAction* action, bool Looks::*look);
 
 /// Shows the map of the painted property while a brush is active, and restores the earlier map afterwards,
 /// unless the user has chosen another one. A map that the user switched off stays off.

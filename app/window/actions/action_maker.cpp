@@ -41,6 +41,12 @@ QAction* ActionMaker::addToggle(QAnyStringView id, const Words& words, const QKe
     return action;
 }
 
+QActionGroup* ActionMaker::oneOf(const QList<QAction*>& actions) {
+    auto* group = new QActionGroup(this);
+    for (QAction* action : actions) group->addAction(action);
+    return group;
+}
+
 /// The reason for a disabled action is the first line of its tooltip.
 void ActionMaker::describe(QAction* action) {
     if (!action->property("help").isValid()) return;  // of Qt, which rewords it

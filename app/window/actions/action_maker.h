@@ -1,10 +1,29 @@
 #pragma once
 
-#include <QAction>
-#include <QObject>
+#include <QActionGroup>
+#include <QKeySequence>
+#include <concepts>
 #include <optional>
+#include <vector>
 
 namespace wend {
+
+/// Connects actions with what they do when they are triggered: each with a slot of `receiver`, a member
+/// function or a callable:
+///
+///     onTriggered(files, actions.open, &FileWorkflow::askOpen, actions.save, &FileWorkflow::save);
+template <class Receiver, class Slot, class... More>
+void onTriggered(Receiver* receiver, const QAction* action, const Slot& slot, const More&... more) {
+    QObject::connect(action, &QAction::triggered, receiver, slot);
+    if constexpr (sizeof...(more) > 0) onTriggered(receiver, more...);
+}
+
+/// Does the same for actions that are switched.
+template <class Receiver, class Slot, class... More>
+void onToggled(Receiver* receiver, const QAction* action, const Slot& slot, const More&... more) {
+    QObject::connect(action, &QAction::toggled, receiver, slot);
+    if constexpr (sizeof...(more) > 0) onToggled(receiver, more...);
+}
 
 /// Makes actions with name, shortcut and help. The tooltip of a disabled action gives the reason.
 class ActionMaker : public QObject {
@@ -32,6 +51,34 @@ class ActionMaker : public QObject {
     QAction* add(QAnyStringView id, const Words& words, const QKeySequence& keys, const QString& icon = {});
     QAction* addToggle(QAnyStringView id, const Words& words, const QKeySequence& keys,
                        const QString& icon = {});
+    /// Make an action that calls a slot when it is triggered.
+    template <class Slot>
+    requires(std::invocable<Slot> ||
+             std::invocable<Slot, bool>) QAction* add(QAnyStringView id, const Words& words,
+                                                      const QKeySequence& keys, const Slot& slot) {
+        QAction* action = add(id, words, keys);
+        onTriggered(this, action, slot);
+        return action;
+    }
+    template <class Slot>
+    requires(std::invocable<Slot> ||
+             std::invocable<Slot, bool>) QAction* addToggle(QAnyStringView id, const Words& words,
+                                                            const QKeySequence& keys, const Slot& slot) {
+        QAction* action = addToggle(id, words, keys);
+        onTriggered(this, action, slot);
+        return action;
+    }
+    /// Lets one of these actions be checked at a time.
+    QActionGroup* oneOf(const QList<QAction*>& actions);
+    /// Does the same, and passes the value of the action that becomes checked.
+    template <class Value, class Take>
+    void choose(const std::vector<std::pair<QAction*, Value>>& choices, const Take& take) {
+        auto* group = oneOf({});
+        for (const auto& [action, value] : choices)
+            connect(group->addAction(action), &QAction::toggled, this, [take, value = value](bool on) {
+                if (on) take(value);
+            });
+    }
     /// Takes an action that Qt made among the own ones.
     void adopt(QAction* action, QAnyStringView id, const QList<QKeySequence>& keys);
     /// Gives an action other words.

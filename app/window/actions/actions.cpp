@@ -1,12 +1,14 @@
 #include "app/window/actions/actions.h"
 
+#include <QApplication>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QUndoStack>
 
+#include "app/style/theme.h"
+#include "app/window/actions/bars.h"
 #include "app/window/actions/language_choice.h"
 #include "app/window/actions/look_choices.h"
-#include "app/window/actions/menus.h"
 #include "app/window/actions/toolbox.h"
 
 namespace wend {
@@ -134,7 +136,6 @@ void Actions::makeView() {
         {tr("&Properties"), tr("Show the properties on the right, or give their room to the shape")},
         QKeySequence(Qt::Key_F4));
     showProperties->setChecked(true);
-    auto* looks = new QActionGroup(this);
     systemLook =
         addToggle("systemLook", {tr("Like the &Desktop"), tr("Light or dark, like the desktop")}, {});
     lightLook = addToggle("lightLook", {tr("&Light"), tr("Dark on light")}, {});
@@ -143,7 +144,7 @@ void Actions::makeView() {
     markSizes->setTitle(tr("Size of M&arks"));
     markSizes->menuAction()->setStatusTip(
         tr("How large pins, rings and curves are drawn, so that they are easy to see and to hit"));
-    for (QAction* look : {systemLook, lightLook, darkLook}) looks->addAction(look);
+    oneOf({systemLook, lightLook, darkLook});
     systemLook->setChecked(true);
 }
 
@@ -204,6 +205,12 @@ void Actions::fillFactors(QMenu& menu, const QList<int>& percents) {
 
 void Actions::setSpeed(double factor) {
     speed->setTitle(tr("Speed: %1 %").arg(qRound(100 * factor)));
+}
+
+void Actions::setPlaying(bool playing) {
+    play->setIcon(
+        wendIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"), QApplication::palette()));
+    play->setText(playing ? tr("&Pause") : tr("&Play"));
 }
 
 void Actions::makeHelp() {

@@ -47,6 +47,7 @@ class Actions : public ActionMaker {
     void resetView();
     void setHasMotion(bool has);
     void setSpeed(double factor);
+    void setPlaying(bool playing);
 
   private:
     void makeFile();

@@ -1,10 +1,9 @@
 #include "app/window/actions/brush_actions.h"
 
-#include <QActionGroup>
-#include <QSpinBox>
 #include <algorithm>
 #include <array>
 
+#include "app/base/connect_each.h"
 #include "app/style/energy_scale.h"
 #include "app/window/actions/toolbox.h"
 
@@ -19,27 +18,19 @@ BrushActions::BrushActions(Brush& brush, Toolbox& tools, QObject* parent)
     makeTip();
     makeNumbers();
     connect(&m_tools, &Toolbox::changed, this, &BrushActions::refresh);
-    for (const Changing* value :
-         std::initializer_list<Changing*>{&m_brush, &m_brush.order(), &m_brush.edges()})
-        connect(value, &Changing::changed, this, &BrushActions::showBrush);
+    connectEach(this, &BrushActions::showBrush, &m_brush, &Changing::changed, &m_brush.order(),
+                &Changing::changed, &m_brush.edges(), &Changing::changed);
     refresh();
     showBrush();
 }
 
-template <class Change>
-void BrushActions::change(const Change& change) {
-    BrushSettings next = m_brush.now();
-    change(next);
-    m_brush.set(next);
-}
-
 void BrushActions::makeStops() {
     for (int stop = 0; stop < EnergyScale::kStops; ++stop) {
-        QAction* action = add(QStringLiteral("stop%1").arg(stop + 1), {},
-                              QKeySequence(QStringLiteral("Shift+%1").arg(stop + 1)));
+        QAction* action =
+            add(QStringLiteral("stop%1").arg(stop + 1), {},
+                QKeySequence(QStringLiteral("Shift+%1").arg(stop + 1)), [this, stop] { paint(stop); });
         m_menu->addAction(action);
         m_stops << action;
-        connect(action, &QAction::triggered, this, [this, stop] { choose(stop); });
     }
 }
 
@@ -50,60 +41,42 @@ void BrushActions::makeTargets() {
                   {tr("&Stiffness"), tr("Paint how many times stiffer the shape is along a direction")}, {});
     direction = addToggle("direction",
                           {tr("&Direction"), tr("Comb the direction along which the shape is stiff")}, {});
-    auto* group = new QActionGroup(this);
-    for (const auto& [action, target] : {std::pair{keep, BrushTarget::Keep},
-                                         {stiffness, BrushTarget::Stiffness},
-                                         {direction, BrushTarget::Direction}}) {
-        group->addAction(action);
-        m_menu->addAction(action);
-        connect(action, &QAction::triggered, this,
-                [this, target = target] { change([&](BrushSettings& brush) { brush.target = target; }); });
-    }
+    m_menu->addActions({keep, stiffness, direction});
+    using enum BrushTarget;
+    choose<BrushTarget>({{keep, Keep}, {stiffness, Stiffness}, {direction, Direction}},
+                        [this](BrushTarget target) { m_brush.change(&BrushSettings::target, target); });
 }
 
 void BrushActions::makeTip() {
-    size = new NumberAction(tr("Size"),
-                            tr("Diameter of the brush on the screen. Also by the keys [ and ], or by "
-                               "dragging to the right with Alt and the right button."),
-                            tr(" px"), this);
-    size->box().setRange(static_cast<int>(2 * Brush::kSmallest), static_cast<int>(2 * Brush::kLargest));
+    size = new NumberAction(
+        tr("Size"),
+        tr("Diameter of the brush on the screen. Also by the keys [ and ], or by "
+           "dragging to the right with Alt and the right button."),
+        tr(" px"), {static_cast<int>(2 * Brush::kSmallest), static_cast<int>(2 * Brush::kLargest)}, this,
+        [this](int across) { m_brush.change(&BrushSettings::radius, across / 2.0); });
     hardness =
         new NumberAction(tr("Hardness"),
                          tr("How much of the brush paints fully; beyond that it fades out. Also by Shift "
                             "with [ and ], or by dragging upwards with Alt and the right button."),
-                         tr(" %"), this);
-    hardness->box().setRange(0, 100);
+                         tr(" %"), {0, 100, 10}, this,
+                         [this](int percent) { m_brush.change(&BrushSettings::hardness, percent / 100.0); });
     amount = new NumberAction(
-        tr("Amount"), tr("How far a stroke goes from what is there to what is painted."), tr(" %"), this);
-    amount->box().setRange(1, 100);
-    for (const NumberAction* part : {hardness, amount}) part->box().setSingleStep(10);
+        tr("Amount"), tr("How far a stroke goes from what is there to what is painted."), tr(" %"),
+        {1, 100, 10}, this, [this](int percent) { m_brush.change(&BrushSettings::amount, percent / 100.0); });
     pressure = addToggle(
         "pressure", {tr("&Pressure"), tr("The harder a pen is pressed, the more of the amount is painted")},
         {});
     pressure->setObjectName(QStringLiteral("pressure"));
-    connect(&size->box(), &QSpinBox::valueChanged, this,
-            [this](int across) { change([&](BrushSettings& brush) { brush.radius = across / 2.0; }); });
-    connect(&hardness->box(), &QSpinBox::valueChanged, this,
-            [this](int percent) { change([&](BrushSettings& brush) { brush.hardness = percent / 100.0; }); });
-    connect(&amount->box(), &QSpinBox::valueChanged, this,
-            [this](int percent) { change([&](BrushSettings& brush) { brush.amount = percent / 100.0; }); });
-    connect(pressure, &QAction::toggled, this,
-            [this](bool on) { change([&](BrushSettings& brush) { brush.pressure = on; }); });
+    onToggled(this, pressure, [this](bool on) { m_brush.change(&BrushSettings::pressure, on); });
 }
 
 void BrushActions::makeNumbers() {
     order = new NumberAction(
         tr("Order"), tr("What you brush over lies in front if this is greater than 0, behind if it is less"),
-        {}, this);
-    order->box().setRange(-99, 99);
-    edges = new NumberAction(tr("Edges"),
-                             tr("How long the mesh's edges are where you brush, compared with elsewhere"),
-                             tr(" %"), this);
-    edges->box().setRange(10, 400);
-    edges->box().setSingleStep(10);
-    connect(&order->box(), &QSpinBox::valueChanged, this, [this](int value) { m_brush.order().set(value); });
-    connect(&edges->box(), &QSpinBox::valueChanged, this,
-            [this](int percent) { m_brush.edges().set(percent / 100.0); });
+        {}, {-99, 99}, this, [this](int value) { m_brush.order().set(value); });
+    edges = new NumberAction(
+        tr("Edges"), tr("How long the mesh's edges are where you brush, compared with elsewhere"), tr(" %"),
+        {10, 400, 10}, this, [this](int percent) { m_brush.edges().set(percent / 100.0); });
 }
 
 void BrushActions::showBrush() {
@@ -130,11 +103,11 @@ void BrushActions::refresh() {
     }
 }
 
-void BrushActions::choose(int stop) {
-    change([&](BrushSettings& brush) {
-        brush.target = BrushTarget::Keep;
-        brush.phi = phiAtStop(stop, m_tools.dimension());
-    });
+void BrushActions::paint(int stop) {
+    BrushSettings brush = m_brush.now();
+    brush.target = BrushTarget::Keep;
+    brush.phi = phiAtStop(stop, m_tools.dimension());
+    m_brush.set(brush);
     const auto isChosen = [this](const char* tool) { return m_tools.isChosen(tool); };
     if (!std::ranges::any_of(std::array{"paint", "gradient", "fill"}, isChosen))
         m_tools.action(QStringLiteral("paint"))->trigger();

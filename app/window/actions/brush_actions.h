@@ -27,15 +27,13 @@ class BrushActions : public ActionMaker {
     QMenu* menu() const { return m_menu.get(); }
 
   private:
-    template <class Change>
-    void change(const Change& change);
     void makeStops();
     void makeTargets();
     void makeTip();
     void makeNumbers();
     void showBrush();
     void refresh();
-    void choose(int stop);
+    void paint(int stop);
 
     Brush& m_brush;
     QList<QAction*> m_stops;

@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 
-#include "app/session/calm_follower.h"
 #include "app/session/pins/pin_shapes.h"
 
 namespace wend {
@@ -16,50 +15,37 @@ CurveActions::CurveActions(ShapeSession& session, std::function<CurveEditor*()> 
     m_menu->addActions({insert, remove});
     m_menu->addSeparator();
     m_menu->addActions({free, aligned, automatic});
-    connectActions();
+    connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
     refresh();
 }
 
 void CurveActions::makeActions() {
-    make = add("make", {tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
-               QKeySequence(tr("Shift+C")));
-    insert = add("insert",
-                 {tr("&Insert Point"),
-                  tr("Split the curve at the pointer, or after the chosen point; its shape stays")},
-                 QKeySequence(tr("I")));
-    remove = add("remove", {tr("&Delete Point"), tr("Remove the chosen point from the curve")},
-                 QKeySequence(tr("Ctrl+Del")));
-    free = addToggle("free", {tr("&Free"), tr("Let the two directions at the point be independent")},
-                     QKeySequence(tr("Alt+1")));
-    aligned = addToggle("aligned", {tr("&Aligned"), tr("Keep both directions at the point on one line")},
-                        QKeySequence(tr("Alt+2")));
-    automatic = addToggle(
-        "automatic",
-        {tr("A&utomatic"), tr("Lead the curve smoothly through the point, guided by its neighbours")},
-        QKeySequence(tr("Alt+3")));
-    auto* kinds = new QActionGroup(this);
-    for (QAction* kind : {free, aligned, automatic}) kinds->addAction(kind);
-    kinds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-}
-
-void CurveActions::connectActions() {
     const auto onCurve = [this](auto what) {
         return [this, what] {
             if (CurveEditor* curve = m_current()) what(*curve);
             refresh();
         };
     };
-    connect(make, &QAction::triggered, this, [this] { makeCurve(m_session); });
-    connect(insert, &QAction::triggered, this, onCurve([](CurveEditor& curve) { curve.insertPoint(); }));
-    connect(remove, &QAction::triggered, this, onCurve([](CurveEditor& curve) { curve.removePoint(); }));
-    for (const auto& [action, kind] :
-         {std::pair{free, JointKind::Free}, {aligned, JointKind::Aligned}, {automatic, JointKind::Automatic}})
-        connect(action, &QAction::triggered, this,
-                onCurve([kind = kind](CurveEditor& curve) { curve.setKind(kind); }));
-    connect(m_menu.get(), &QMenu::aboutToShow, this, &CurveActions::refresh);
-    new CalmFollower(
-        m_session.motion(), this, [this] { refresh(); }, &m_session.gestures(), &ShapeGesture::pinsChanged,
-        &m_session.motion(), &ShapeMotion::frameChanged);
+    const auto setKind = [onCurve](JointKind kind) {
+        return onCurve([kind](CurveEditor& curve) { curve.setKind(kind); });
+    };
+    make = add("make", {tr("Edit &Path"), tr("Turn the last path of the selected pin into a Bézier curve")},
+               QKeySequence(tr("Shift+C")), [this] { makeCurve(m_session); });
+    insert = add("insert",
+                 {tr("&Insert Point"),
+                  tr("Split the curve at the pointer, or after the chosen point; its shape stays")},
+                 QKeySequence(tr("I")), onCurve([](CurveEditor& curve) { curve.insertPoint(); }));
+    remove = add("remove", {tr("&Delete Point"), tr("Remove the chosen point from the curve")},
+                 QKeySequence(tr("Ctrl+Del")), onCurve([](CurveEditor& curve) { curve.removePoint(); }));
+    free = addToggle("free", {tr("&Free"), tr("Let the two directions at the point be independent")},
+                     QKeySequence(tr("Alt+1")), setKind(JointKind::Free));
+    aligned = addToggle("aligned", {tr("&Aligned"), tr("Keep both directions at the point on one line")},
+                        QKeySequence(tr("Alt+2")), setKind(JointKind::Aligned));
+    automatic = addToggle(
+        "automatic",
+        {tr("A&utomatic"), tr("Lead the curve smoothly through the point, guided by its neighbours")},
+        QKeySequence(tr("Alt+3")), setKind(JointKind::Automatic));
+    oneOf({free, aligned, automatic})->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
 }
 
 void CurveActions::refresh() {

@@ -32,7 +32,6 @@ class CurveActions : public ActionMaker {
 
   private:
     void makeActions();
-    void connectActions();
 
     ShapeSession& m_session;
     std::function<CurveEditor*()> m_current;

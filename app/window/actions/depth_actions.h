@@ -7,25 +7,31 @@
 
 namespace wend {
 
-class ShapeSession;
+class Document;
+class Selection;
+class ShapeMotion;
 
 /// Sets the depth of the surroundings of selected pins.
 class DepthActions : public ActionMaker {
     Q_OBJECT
 
   public:
-    DepthActions(ShapeSession& session, QObject* parent);
+    DepthActions(Document& document, const Selection& selection, const ShapeMotion& motion, QObject* parent);
 
     QAction *front, *behind, *plain, *number;
 
     QMenu* menu() const { return m_menu.get(); }
 
-  private:
+    /// Updates which commands are possible.
     void refresh();
+
+  private:
     void bring(double order);
     void askNumber();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    const Selection& m_selection;
+    const ShapeMotion& m_motion;
     std::unique_ptr<QMenu> m_menu;
 };
 

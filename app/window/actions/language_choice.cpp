@@ -1,7 +1,6 @@
 #include "app/window/actions/language_choice.h"
 #include "app/base/preferences.h"
 
-#include <QActionGroup>
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -60,7 +59,7 @@ LanguageChoice::LanguageChoice(QObject* parent)
     : ActionMaker(parent), m_menu(new QMenu), m_spoken(chosenCode()) {
     m_menu->setTitle(tr("&Language"));
     m_menu->menuAction()->setStatusTip(tr("The language of the window, from the next start of Wend"));
-    auto* group = new QActionGroup(this);
+    QActionGroup* group = oneOf({});
     const auto offer = [&](const Words& words, const QString& code) {
         QAction* one = addToggle(
             QStringLiteral("language-%1").arg(code.isEmpty() ? QStringLiteral("desktop") : code), words, {});

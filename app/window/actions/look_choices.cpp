@@ -1,6 +1,5 @@
 #include "app/window/actions/look_choices.h"
 
-#include <QActionGroup>
 #include <QApplication>
 
 #include "app/base/preferences.h"
@@ -13,10 +12,10 @@ namespace wend {
 
 AppearanceChoice::AppearanceChoice(Actions& actions, QWidget& window)
     : QObject(&window), m_actions(actions), m_window(window), m_system(QApplication::palette()) {
-    for (const auto& [action, appearance] : {std::pair{actions.systemLook, Appearance::System},
-                                             {actions.lightLook, Appearance::Light},
-                                             {actions.darkLook, Appearance::Dark}})
-        connect(action, &QAction::triggered, this, [this, look = appearance] { apply(look); });
+    using enum Appearance;
+    onTriggered(
+        this, actions.systemLook, [this] { apply(System); }, actions.lightLook, [this] { apply(Light); },
+        actions.darkLook, [this] { apply(Dark); });
     connect(actions.markSizes.get(), &QMenu::triggered, this,
             [this](const QAction* chosen) { enlargeMarks(chosen->data().toDouble()); });
 }
@@ -58,8 +57,7 @@ void AppearanceChoice::apply(Appearance appearance) {
     emit changed();
 }
 
-BackdropChoice::BackdropChoice(QObject* parent)
-    : ActionMaker(parent), m_menu(new QMenu), m_group(new QActionGroup(this)) {
+BackdropChoice::BackdropChoice(QObject* parent) : ActionMaker(parent), m_menu(new QMenu), m_group(oneOf({})) {
     m_menu->setTitle(tr("Bac&kdrop"));
     const std::pair<Words, QColor> choices[] = {
         {{tr("&Checks"), tr("Checks behind a picture, the workspace behind a solid")}, QColor()},

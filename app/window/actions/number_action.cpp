@@ -10,12 +10,15 @@
 
 namespace wend {
 
-NumberAction::NumberAction(const QString& name, const QString& help, const QString& unit, QObject* parent)
+NumberAction::NumberAction(const QString& name, const QString& help, const QString& unit, const Range& range,
+                           QObject* parent, std::function<void(int)> take)
     : QWidgetAction(parent), m_box(new QSpinBox) {
     auto* holder = new QWidget;
     auto* row = new QHBoxLayout(holder);
     row->setContentsMargins(8, 0, 8, 0);
     m_box->setSuffix(unit);
+    m_box->setRange(range.least, range.most);
+    m_box->setSingleStep(range.step);
     m_box->setKeyboardTracking(false);
     describe(m_box, name, help);
     auto* label = new QLabel(name);
@@ -24,6 +27,7 @@ NumberAction::NumberAction(const QString& name, const QString& help, const QStri
     row->addWidget(m_box);
     setText(name);
     setDefaultWidget(holder);
+    connect(m_box, &QSpinBox::valueChanged, this, std::move(take));
 }
 
 void NumberAction::put(double value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidgetAction>
+#include <functional>
 
 class QSpinBox;
 
@@ -9,7 +10,12 @@ namespace wend {
 /// A number field beside a tool's name.
 class NumberAction : public QWidgetAction {
   public:
-    NumberAction(const QString& name, const QString& help, const QString& unit, QObject* parent);
+    struct Range {
+        int least, most, step = 1;
+    };
+    /// `take` gets the numbers that the user sets.
+    NumberAction(const QString& name, const QString& help, const QString& unit, const Range& range,
+                 QObject* parent, std::function<void(int)> take);
     QSpinBox& box() const { return *m_box; }
     /// Sets the number without a signal.
     void put(double value);

@@ -1,8 +1,5 @@
 #include "app/window/actions/picture_actions.h"
 
-#include <QActionGroup>
-#include <QSpinBox>
-
 namespace wend {
 
 PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
@@ -16,35 +13,17 @@ PictureActions::PictureActions(QObject* parent) : ActionMaker(parent) {
                   {tr("Make a &Part"),
                    tr("What you draw becomes a part that bends by itself; what is behind it is filled")},
                   {}, "make-part");
-    auto* group = new QActionGroup(this);
-    const auto addUse = [&](QAction* action, OutlineUse use) {
-        group->addAction(action);
-        connect(action, &QAction::toggled, this, [this, use](bool on) {
-            OutlineSettings next = m_pen.now();
-            next.use = use;
-            if (on) m_pen.set(next);
-        });
-    };
-    addUse(adds, OutlineUse::Add);
-    addUse(takesAway, OutlineUse::TakeAway);
-    addUse(makesPart, OutlineUse::MakePart);
-    size = new NumberAction(tr("Size"), tr("Diameter of the brush on the screen; also [ and ]"), tr(" px"),
-                            this);
-    size->box().setRange(static_cast<int>(2 * OutlinePen::kSmallest),
-                         static_cast<int>(2 * OutlinePen::kLargest));
+    using enum OutlineUse;
+    choose<OutlineUse>({{adds, Add}, {takesAway, TakeAway}, {makesPart, MakePart}},
+                       [this](OutlineUse use) { m_pen.change(&OutlineSettings::use, use); });
+    size = new NumberAction(
+        tr("Size"), tr("Diameter of the brush on the screen; also [ and ]"), tr(" px"),
+        {static_cast<int>(2 * OutlinePen::kSmallest), static_cast<int>(2 * OutlinePen::kLargest)}, this,
+        [this](int px) { m_pen.change(&OutlineSettings::radius, px / 2.0); });
     tolerance = new NumberAction(
         tr("Tolerance"), tr("How much colours may differ; this also changes the last click. Also [ and ]"),
-        tr(" %"), this);
-    tolerance->box().setRange(1, 100);
-    const auto set = [this](auto change) {
-        OutlineSettings next = m_pen.now();
-        change(next);
-        m_pen.set(next);
-    };
-    connect(&size->box(), &QSpinBox::valueChanged, this,
-            [set](int px) { set([px](auto& s) { s.radius = px / 2.0; }); });
-    connect(&tolerance->box(), &QSpinBox::valueChanged, this,
-            [set](int percent) { set([percent](auto& s) { s.tolerance = percent / 100.0; }); });
+        tr(" %"), {1, 100}, this,
+        [this](int percent) { m_pen.change(&OutlineSettings::tolerance, percent / 100.0); });
     connect(&m_pen, &OutlinePen::changed, this, &PictureActions::showPen);
     showPen();
 }

@@ -8,8 +8,10 @@
 
 namespace wend {
 
+class Document;
 class NumberAction;
 class ShapeSession;
+class ShownPins;
 
 /// Commands for the selected pins of pictures and solids, including the effect of a drag.
 class PinActions : public ActionMaker {
@@ -29,23 +31,26 @@ class PinActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     PinChoice& choice() { return m_choice; }
+    /// The name of the selected pin, or how many they are.
+    QString selectedName() const;
     /// Adds these commands to a pin's context menu.
     void fill(QMenu& menu) const;
+    /// Updates which commands are possible.
+    void refresh();
 
   private:
     void makeGrips();
     void makeOutlines();
-    template <class Value>
-    void choose(Value PinSettings::*value, std::initializer_list<std::pair<QAction*, Value>> choices);
     void makeActions();
     void makeColours();
-    void connectActions();
-    void refresh();
     std::vector<int> selected() const;
+    std::vector<int> hidden() const;
     void askGroup();
     void askColour();
 
     ShapeSession& m_session;
+    Document& m_document;
+    const ShownPins& m_shown;
     PinChoice m_choice;
     std::unique_ptr<QMenu> m_menu, m_colours;
 };

@@ -62,10 +62,8 @@ void SolidActions::makeView() {
     const QString up = tr("Which axis of the world points up in the view; kept with the project");
     upAxes = {addToggle("upX", {tr("&X Points Up"), up}, {}), addToggle("upY", {tr("&Y Points Up"), up}, {}),
               addToggle("upZ", {tr("&Z Points Up"), up}, {})};
-    auto* axes = new QActionGroup(this);
-    for (QAction* axis : upAxes) axes->addAction(axis);
+    oneOf({upAxes[0], upAxes[1], upAxes[2]});
     upAxes[2]->setChecked(true);
-    auto* keys = new QActionGroup(this);
     wendKeys = addToggle(
         "wendKeys", {tr("&Wend"), tr("Right or middle button turns, with Shift moves; the wheel zooms")}, {});
     vtkKeys = addToggle(
@@ -73,7 +71,7 @@ void SolidActions::makeView() {
     blenderKeys =
         addToggle("blenderKeys",
                   {tr("Like &Blender"), tr("Middle button turns, with Shift moves, with Ctrl zooms")}, {});
-    for (QAction* action : {wendKeys, vtkKeys, blenderKeys}) keys->addAction(action);
+    oneOf({wendKeys, vtkKeys, blenderKeys});
     wendKeys->setChecked(true);
 }
 

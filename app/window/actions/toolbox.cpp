@@ -20,14 +20,12 @@ void Toolbox::makeModes() {
         {Mode::Animate, {tr("Animate"), tr("How it moves in time")}},
         {Mode::Export, {tr("Export"), tr("Write pictures, sequences, ST maps and meshes")}},
     };
-    auto* group = new QActionGroup(this);
+    QActionGroup* group = oneOf({});
     for (const Mode mode : kModes) {
         const QString keys = QStringLiteral("Ctrl+%1").arg(static_cast<int>(mode) + 1);
         QAction* one = addToggle(QStringLiteral("step%1").arg(static_cast<int>(mode) + 1), words.at(mode),
-                                 QKeySequence(keys));
-        group->addAction(one);
-        connect(one, &QAction::triggered, this, [this, mode] { setMode(mode); });
-        m_modes[mode] = one;
+                                 QKeySequence(keys), [this, mode] { setMode(mode); });
+        m_modes[mode] = group->addAction(one);
     }
 }
 
@@ -39,7 +37,7 @@ void Toolbox::makeTool(const ToolKind& kind) {
     setKeysOf(tool, QKeySequence::listFromString(QString::fromLatin1(kind.keys)));
     m_group->addAction(tool);
     m_tools.push_back(tool);
-    connect(tool, &QAction::toggled, this, [this, &kind](bool on) {
+    onToggled(this, tool, [this, &kind](bool on) {
         if (on) choose(kind);
     });
 }

@@ -74,7 +74,7 @@ void HeldKey::setHeld(bool held) {
     emit heldChanged(held);
 }
 
-SpaceTap::SpaceTap(QWidget& window) : QObject(&window), m_window(window) {
+SpaceTap::SpaceTap(QWidget& window, QAction& action) : QObject(&window), m_window(window), m_action(action) {
     qApp->installEventFilter(this);
 }
 
@@ -91,7 +91,7 @@ void SpaceTap::press(const QKeyEvent& key) {
 
 void SpaceTap::release(const QKeyEvent& key) {
     if (key.key() != Qt::Key_Space || key.isAutoRepeat()) return;
-    if (std::exchange(m_down, false)) emit tapped();
+    if (std::exchange(m_down, false)) m_action.trigger();
 }
 
 bool SpaceTap::eventFilter(QObject* watched, QEvent* event) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QObject>
+#include <QAction>
 #include <QWidget>
 
 namespace wend {
@@ -35,10 +35,8 @@ class SpaceTap : public QObject {
     Q_OBJECT
 
   public:
-    explicit SpaceTap(QWidget& window);
-
-  signals:
-    void tapped();
+    /// `action`: is triggered.
+    SpaceTap(QWidget& window, QAction& action);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -49,6 +47,7 @@ class SpaceTap : public QObject {
     void release(const QKeyEvent& key);
 
     QWidget& m_window;
+    QAction& m_action;
     Qt::MouseButtons m_buttons;  // of the mouse, that are down
     bool m_down = false;
 };

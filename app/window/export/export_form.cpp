@@ -2,7 +2,6 @@
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -18,7 +17,6 @@
 #include "app/output/svg_export.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/window/export/export_button.h"
 #include "app/window/export/export_formats.h"
 #include "core/base/error.h"
 #include "warp/film_format.h"
@@ -59,7 +57,7 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     showFields();
     m_previewTimer.setSingleShot(true);
     m_previewTimer.setInterval(40);
-    connect(&m_previewTimer, &QTimer::timeout, this, &ExportForm::startPreview);
+    m_previewTimer.callOnTimeout(this, &ExportForm::startPreview);
 }
 
 void ExportForm::setSubject(const ExportSubject& subject) {
@@ -462,38 +460,6 @@ void ExportForm::lay(Fields place) {
             box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         }
     }
-}
-
-QString ExportDialog::title(ExportKind kind) {
-    switch (kind) {
-        case ExportKind::Picture:
-            return tr("Export Picture");
-        case ExportKind::Film:
-            return tr("Export Film");
-        case ExportKind::Frames:
-            return tr("Export Sequence");
-        case ExportKind::StMap:
-            return tr("Export ST Map");
-        case ExportKind::Mesh:
-            break;
-    }
-    return tr("Export Mesh");
-}
-
-ExportDialog::ExportDialog(const ExportSubject& subject, QWidget* parent)
-    : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, this)) {
-    setWindowTitle(title(subject.kind));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    QPushButton* write = addExportButton(*buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_form, &ExportForm::readyChanged, write, &QWidget::setEnabled);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
-    column->addWidget(m_form, 1);
-    column->addWidget(buttons);
-    m_form->setSubject(subject);
 }
 
 }  // namespace wend

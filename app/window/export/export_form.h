@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QDialog>
 #include <QTimer>
 #include <map>
 
@@ -105,20 +104,6 @@ class ExportForm : public QWidget {
     QWidget* m_crop;
     QTimer m_previewTimer;
     Latest m_previews{this};
-};
-
-/// Asks how something is written, before its name is asked.
-class ExportDialog : public QDialog {
-    Q_OBJECT
-
-  public:
-    ExportDialog(const ExportSubject& subject, QWidget* parent);
-
-    static QString title(ExportKind kind);
-    ExportForm& form() const { return *m_form; }
-
-  private:
-    ExportForm* m_form;
 };
 
 }  // namespace wend

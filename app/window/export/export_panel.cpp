@@ -6,9 +6,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/base/connect_each.h"
 #include "app/panels/fields/panel_parts.h"
-#include "app/session/shape_session.h"
+#include "app/session/shape_motion.h"
 #include "app/window/actions/actions.h"
+#include "app/window/export/dialogs.h"
 #include "app/window/export/exporter.h"
 
 namespace wend {
@@ -19,9 +21,40 @@ constexpr int kSoon = 120;  // milliseconds: a moving shape is previewed once it
 
 }  // namespace
 
-ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Actions& actions, QWidget* parent)
+QString ExportDialog::title(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::Picture:
+            return tr("Export Picture");
+        case ExportKind::Film:
+            return tr("Export Film");
+        case ExportKind::Frames:
+            return tr("Export Sequence");
+        case ExportKind::StMap:
+            return tr("Export ST Map");
+        case ExportKind::Mesh:
+            break;
+    }
+    return tr("Export Mesh");
+}
+
+ExportDialog::ExportDialog(const ExportSubject& subject, QWidget* parent)
+    : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, this)) {
+    setWindowTitle(title(subject.kind));
+    QDialogButtonBox* buttons = dialogButtons(QDialogButtonBox::Cancel, this);
+    QPushButton* write = addExportButton(*buttons);
+    connect(m_form, &ExportForm::readyChanged, write, &QWidget::setEnabled);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    column->addWidget(m_form, 1);
+    column->addWidget(buttons);
+    m_form->setSubject(subject);
+}
+
+ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Actions& actions,
+                         QWidget* parent)
     : QWidget(parent),
-      m_session(session),
+      m_motion(motion),
       m_exporter(exporter),
       m_kinds(new QButtonGroup(this)),
       m_form(new ExportForm(ExportForm::Fields::Below, this)),
@@ -54,7 +87,15 @@ ExportPanel::ExportPanel(ShapeSession& session, Exporter& exporter, const Action
     column->addWidget(m_write);
     column->addWidget(m_view);
     column->addWidget(m_film);
-    connectAll();
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(kSoon);
+    connectEach(this, &ExportPanel::showShape, &m_soon, &QTimer::timeout, m_kinds, &QButtonGroup::idClicked);
+    connect(&m_motion.document(), &Document::opened, m_form, &ExportForm::reset);
+    connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
+    connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
+    connectEach(this, &ExportPanel::ask, &m_exporter.crop(), &Crop::changed, &m_exporter,
+                &Exporter::viewTurned, &m_motion, &ShapeMotion::frameChanged, &m_motion,
+                &ShapeMotion::busyChanged, &m_motion, &ShapeMotion::problem);
 }
 
 void ExportPanel::addKind(ExportKind kind, const QString& name, QAction* action) {
@@ -76,21 +117,6 @@ QPushButton* ExportPanel::viewButton(QAction* action) {
     return button;
 }
 
-void ExportPanel::connectAll() {
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(kSoon);
-    connect(&m_soon, &QTimer::timeout, this, &ExportPanel::showShape);
-    connect(&m_session.document(), &Document::opened, m_form, &ExportForm::reset);
-    connect(m_kinds, &QButtonGroup::idClicked, this, &ExportPanel::showShape);
-    connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
-    connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
-    connect(&m_exporter.crop(), &Crop::changed, this, &ExportPanel::ask);
-    connect(&m_exporter, &Exporter::viewTurned, this, &ExportPanel::ask);
-    connect(&m_session.motion(), &ShapeMotion::frameChanged, this, &ExportPanel::ask);
-    connect(&m_session.motion(), &ShapeMotion::busyChanged, this, &ExportPanel::ask);
-    connect(&m_session.motion(), &ShapeMotion::problem, this, &ExportPanel::ask);
-}
-
 ExportKind ExportPanel::kind() const {
     return static_cast<ExportKind>(m_kinds->checkedId());
 }
@@ -106,7 +132,7 @@ void ExportPanel::showEvent(QShowEvent* event) {
 
 /// The kind that was chosen last, or the first that there is.
 void ExportPanel::showShape() {
-    const bool solid = m_session.document().dimension() == 3;
+    const bool solid = m_motion.document().dimension() == 3;
     QAbstractButton *first = nullptr, *chosen = m_kinds->checkedButton();
     for (QAbstractButton* button : m_kinds->buttons()) {
         const QAction* action = m_actions[m_kinds->id(button)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDialog>
 #include <QMap>
 #include <QTimer>
 #include <QWidget>
@@ -13,14 +14,29 @@ namespace wend {
 
 class Actions;
 class Exporter;
-class ShapeSession;
+class ShapeMotion;
+
+/// Asks how something is written, before its name is asked.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    ExportDialog(const ExportSubject& subject, QWidget* parent);
+
+    static QString title(ExportKind kind);
+    ExportForm& form() const { return *m_form; }
+
+  private:
+    ExportForm* m_form;
+};
 
 /// The panel of the step Export, which previews the shown shape and follows it.
 class ExportPanel : public QWidget {
     Q_OBJECT
 
   public:
-    ExportPanel(ShapeSession& session, Exporter& exporter, const Actions& actions, QWidget* parent = nullptr);
+    ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Actions& actions,
+                QWidget* parent = nullptr);
 
     ExportForm& form() const { return *m_form; }
     ExportKind kind() const;
@@ -31,11 +47,10 @@ class ExportPanel : public QWidget {
   private:
     void addKind(ExportKind kind, const QString& name, QAction* action);
     QPushButton* viewButton(QAction* action);
-    void connectAll();
     void ask();
     void showShape();
 
-    ShapeSession& m_session;
+    const ShapeMotion& m_motion;
     Exporter& m_exporter;
     QButtonGroup* m_kinds;
     QMap<int, QAction*> m_actions;  // of the kinds

@@ -1,6 +1,8 @@
 #include "app/window/export/exporter.h"
 
+#include <QApplication>
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPointer>
@@ -10,12 +12,17 @@
 
 #include "app/base/in_background.h"
 #include "app/base/said.h"
+#include "app/engine/motion/playback.h"
 #include "app/output/own_files.h"
 #include "app/output/run_options.h"
 #include "app/output/shape_file.h"
+#include "app/project/design.h"
+#include "app/project/domain.h"
+#include "app/project/edits/material_edits.h"
 #include "app/session/opening.h"
-#include "app/window/export/export_form.h"
-#include "app/window/export/save_dialog.h"
+#include "app/session/shape_motion.h"
+#include "app/window/export/dialogs.h"
+#include "app/window/export/export_panel.h"
 #include "core/base/error.h"
 
 namespace wend {
@@ -98,9 +105,13 @@ double wholePart(const std::string& work, double part, double deforming) {
 
 }  // namespace
 
-Exporter::Exporter(ShapeSession& session, QWidget& window)
-    : QObject(&window), m_session(session), m_window(window) {
-    connect(&session.document(), &Document::opened, this, [this] { m_crop.set({}); });
+Exporter::Exporter(const Playback& playback, const ShapeMotion& motion, QWidget& window)
+    : QObject(&window),
+      m_playback(playback),
+      m_motion(motion),
+      m_document(motion.document()),
+      m_window(window) {
+    connect(&m_document, &Document::opened, this, [this] { m_crop.set({}); });
 }
 
 /// Waits, because background work reports to this object.
@@ -117,24 +128,23 @@ bool Exporter::isFree() {
 }
 
 QString Exporter::whyNot() const {
-    if (m_session.motion().isBusy()) return tr("The shape is still being computed. Try again in a moment.");
-    if (m_session.motion().frame() && !m_session.motion().isStale() && !m_session.motion().hasFailed())
-        return {};
+    if (m_motion.isBusy()) return tr("The shape is still being computed. Try again in a moment.");
+    if (m_motion.frame() && !m_motion.isStale() && !m_motion.hasFailed()) return {};
     return tr("There is no shape to export: it could not be computed.");
 }
 
 FramePtr Exporter::shownFrame() {
     if (!isFree()) return {};
     const QString why = whyNot();
-    if (why.isEmpty()) return m_session.motion().frame();
+    if (why.isEmpty()) return m_motion.frame();
     emit failed(why);
     return {};
 }
 
 std::shared_ptr<const FrameExport> Exporter::shownShape() const {
-    const double seconds = m_session.playback().end() * Playback::kSecondsPerUnit;
-    return std::make_shared<const FrameExport>(m_session.document(), m_session.motion().frame(),
-                                               m_session.motion().track().frames(), seconds);
+    const double seconds = m_playback.end() * Playback::kSecondsPerUnit;
+    return std::make_shared<const FrameExport>(m_document, m_motion.frame(), m_motion.track().frames(),
+                                               seconds);
 }
 
 ExportSubject Exporter::subject(ExportKind kind) const {
@@ -164,15 +174,14 @@ bool Exporter::writeAs(const ExportForm& form) {
 }
 
 QString Exporter::askName(const ExportForm& form) {
-    const Document& document = m_session.document();
-    const QString base = QFileInfo(document.displayName()).completeBaseName();
-    const QString proposal = QDir(proposedFolder(document)).filePath(base + suffixOf(form));
+    const QString base = QFileInfo(m_document.displayName()).completeBaseName();
+    const QString proposal = QDir(proposedFolder(m_document)).filePath(base + suffixOf(form));
     const QString path = askFileToWrite(&m_window, ExportDialog::title(form.kind()), proposal, form.filter());
     return form.kind() == ExportKind::Frames && !form.isFilm() ? withNumber(path) : path;
 }
 
 bool Exporter::mayReplace(ExportKind kind, const QString& path, int count) {
-    const auto own = ownFileAt(m_session.document(), path, count);
+    const auto own = ownFileAt(m_document, path, count);
     const int frames = kind == ExportKind::Frames ? existingFrames(path, count) : 0;
     if (!own && frames == 0) return true;
     const QString name = QFileInfo(path).fileName();
@@ -206,20 +215,20 @@ void Exporter::write(ExportKind kind, QString path, const RunOptions& options) {
 
 void Exporter::exportMaterial(MaterialPart part) {
     if (!shownFrame()) return;
-    const QString base = QFileInfo(m_session.document().displayName()).completeBaseName();
+    const QString base = QFileInfo(m_document.displayName()).completeBaseName();
     const QString name = base + (part == MaterialPart::Keep        ? QStringLiteral("-keep.png")
                                  : part == MaterialPart::Stiffness ? QStringLiteral("-stiffness.png")
                                                                    : QStringLiteral("-direction.png"));
-    const QString path = askFileToWrite(&m_window, tr("Export Material"),
-                                        QDir(proposedFolder(m_session.document())).filePath(name),
-                                        tr("Pictures (*.png *.tif *.exr)"));
+    const QString path =
+        askFileToWrite(&m_window, tr("Export Material"), QDir(proposedFolder(m_document)).filePath(name),
+                       tr("Pictures (*.png *.tif *.exr)"));
     if (!path.isEmpty() && mayReplace(ExportKind::Picture, path, 0)) writeMaterial(part, path);
 }
 
 void Exporter::writeMaterial(MaterialPart part, const QString& path) {
     const auto shown = posed<2>(shownFrame());
     if (!shown) return;
-    const auto picture = m_session.document().picture();
+    const auto picture = m_document.picture();
     emit begun();
     run(tr("Writing the picture …"), path, 0, [=](const RunWatch&, std::string&) {
         const PictureFrame frame =
@@ -275,6 +284,104 @@ void Exporter::tell(const Result& result, const QString& path) {
         emit done(tr("Written without velocities: %1 (%2)").arg(name, result.remark));
     else if (!result.stopped)
         emit done((QStringList{tr("Written: %1").arg(name)} + result.notices).join(QStringLiteral(". ")));
+}
+
+MaterialActions::MaterialActions(Document& document, const ShapeMotion& motion, Exporter& exporter,
+                                 QObject* parent)
+    : ActionMaker(parent), m_document(document), m_motion(motion), m_menu(new QMenu) {
+    using enum MaterialPart;
+    const auto take = [this](MaterialPart part) { return [this, part] { ask(part); }; };
+    const auto give = [&exporter](MaterialPart part) {
+        return [&exporter, part] { exporter.exportMaterial(part); };
+    };
+    bringIn[Keep] =
+        add("importKeep",
+            {tr("Import &Keep…"),
+             tr("A grey picture over the whole, as a layer: black keeps area, white keeps angles")},
+            {}, take(Keep));
+    bringIn[Stiffness] =
+        add("importStiffness",
+            {tr("Import &Stiffness…"), tr("A grey picture over the whole, as a layer: black is the same as "
+                                          "everywhere, white is 1000 times stiffer")},
+            {}, take(Stiffness));
+    bringIn[Direction] =
+        add("importDirection",
+            {tr("Import &Directions…"), tr("A grey picture over the whole, as a layer, of the direction of "
+                                           "stiffness: black is level, middle grey upright")},
+            {}, take(Direction));
+    cells = add("cells",
+                {tr("Import Values of &Cells…"),
+                 tr("φ and B of every cell from a mesh file that contains them, such as an exported one")},
+                {}, [this] { askCells(); });
+    write[Keep] =
+        add("exportKeep", {tr("Export K&eep…"), tr("As a grey picture, to be edited in a paint program")}, {},
+            give(Keep));
+    write[Stiffness] =
+        add("exportStiffness",
+            {tr("Export S&tiffness…"), tr("As a grey picture, to be edited in a paint program")}, {},
+            give(Stiffness));
+    write[Direction] =
+        add("exportDirection",
+            {tr("Export Di&rections…"), tr("As a grey picture, to be edited in a paint program")}, {},
+            give(Direction));
+    m_menu->setTitle(tr("&Material"));
+    for (const auto& [part, action] : bringIn) m_menu->addAction(action);
+    m_menu->addAction(cells);
+    m_menu->addSeparator();
+    for (const auto& [part, action] : write) m_menu->addAction(action);
+    connect(&m_motion, &ShapeMotion::frameChanged, this, &MaterialActions::refresh);
+    refresh();
+}
+
+void MaterialActions::refresh() {
+    const bool solid = m_document.dimension() == 3;
+    const bool has = m_motion.frame() != nullptr;
+    const QString why = !has ? tr("Open a picture first.")
+                             : tr("For a solid, these are values of cells; they are exported with its mesh.");
+    for (const auto* actions : {&bringIn, &write})
+        for (const auto& [part, action] : *actions) enable(action, has && !solid, why);
+    const bool isMesh = has && m_document.domain().kind == DomainKind::Mesh;
+    enable(cells, isMesh, has ? tr("Only the cells of a mesh file stay the same.") : why);
+}
+
+void MaterialActions::ask(MaterialPart part) {
+    QString title = bringIn[part]->text().remove('&');
+    const QString path =
+        QFileDialog::getOpenFileName(QApplication::activeWindow(), title, proposedFolder(m_document),
+                                     tr("Pictures (%1)").arg(pictureExtensions()));
+    if (!path.isEmpty()) take(part, path);
+}
+
+void MaterialActions::take(MaterialPart part, const QString& path) try {
+    readImageHeader(path.toStdString());
+    const auto& picture = m_document.picture();
+    const auto shown = m_motion.frame<2>();
+    if (!shown) return;
+    const PictureFrame frame =
+        pictureFrame(picture ? picture->width : 0, picture ? picture->height : 0, *shown->rest);
+    MaterialPictures pictures;
+    pictures.*fileOf(part) = path.toStdString();
+    pictures.up = frame.up;
+    m_document.changeDesign(
+        tr("Import %1").arg(QFileInfo(path).fileName()),
+        withPictures(m_document.design(), QFileInfo(path).completeBaseName().toStdString(), frame.box,
+                     pictures));
+} catch (const InputError& error) {
+    emit failed(said(error));
+}
+
+void MaterialActions::askCells() {
+    const QString path =
+        QFileDialog::getOpenFileName(QApplication::activeWindow(), cells->text().remove('&'),
+                                     proposedFolder(m_document), tr("Values of cells (*.vtu *.vtk *.json)"));
+    if (!path.isEmpty()) takeCells(path);
+}
+
+/// The values include those of the layers, which would apply twice.
+void MaterialActions::takeCells(const QString& path) {
+    m_document.changeDesign(tr("Import %1").arg(QFileInfo(path).fileName()),
+                            withCellsFile(withAllHidden(m_document.design()), path.toStdString()));
+    m_document.notify(tr("The layers were switched off: what was imported lies below them."));
 }
 
 }  // namespace wend

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
+#include <QMenu>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stop_token>
 
@@ -10,19 +11,23 @@
 #include "app/base/in_background.h"
 #include "app/engine/shape/material_picture.h"
 #include "app/session/crop.h"
-#include "app/session/shape_session.h"
+#include "app/window/actions/action_maker.h"
 #include "app/window/export/export_form.h"
 
 class QWidget;
 
 namespace wend {
 
+class Document;
+class Playback;
+class ShapeMotion;
+
 /// Asks for options and file, and exports what is shown in the background, with progress and cancellation.
 class Exporter : public QObject {
     Q_OBJECT
 
   public:
-    Exporter(ShapeSession& session, QWidget& window);
+    Exporter(const Playback& playback, const ShapeMotion& motion, QWidget& window);
     ~Exporter() override;
 
     /// Pictures for previews: of the solid, and of the picture's screen version; null if there is none.
@@ -80,13 +85,45 @@ class Exporter : public QObject {
     FramePtr shownFrame();
     bool isFree();
 
-    ShapeSession& m_session;
+    const Playback& m_playback;
+    const ShapeMotion& m_motion;
+    const Document& m_document;
     QWidget& m_window;
     Looks m_looks;
     Crop m_crop;
     std::shared_ptr<std::stop_source> m_stop;  // of the running export
     HandOver m_out;
     BackgroundWork m_running;
+};
+
+/// The material as pictures of a paint program, brought in as a layer and written out; of a solid, values of
+/// its cells from a mesh file.
+class MaterialActions : public ActionMaker {
+    Q_OBJECT
+
+  public:
+    MaterialActions(Document& document, const ShapeMotion& motion, Exporter& exporter, QObject* parent);
+
+    std::map<MaterialPart, QAction*> bringIn, write;
+    QAction* cells;
+
+    QMenu* menu() const { return m_menu.get(); }
+
+    /// Adds a picture of a part of the material as the topmost layer.
+    void take(MaterialPart part, const QString& path);
+    void takeCells(const QString& path);
+
+  signals:
+    void failed(QString text);
+
+  private:
+    void refresh();
+    void ask(MaterialPart part);
+    void askCells();
+
+    Document& m_document;
+    const ShapeMotion& m_motion;
+    std::unique_ptr<QMenu> m_menu;
 };
 
 }  // namespace wend

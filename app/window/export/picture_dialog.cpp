@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -13,11 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/file/named_files.h"
 #include "app/project/project.h"
-#include "app/window/export/export_button.h"
+#include "app/window/export/dialogs.h"
 #include "app/window/export/export_formats.h"
 #include "app/window/export/export_preview.h"
 #include "app/window/export/view_picture.h"
@@ -45,7 +45,7 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
       m_height(new QSpinBox(this)),
       m_tied(new QCheckBox(tr("&Proportions of the view"), this)),
       m_note(new QLabel(this)),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)),
+      m_buttons(dialogButtons(QDialogButtonBox::Cancel, this)),
       m_write(addExportButton(*m_buttons)),
       m_preview(new ExportPreview(this)),
       m_format(new QComboBox(this)),
@@ -109,15 +109,13 @@ void PictureDialog::describeControls() {
 void PictureDialog::connectControls() {
     m_timer.setSingleShot(true);
     m_timer.setInterval(60);
-    connect(&m_timer, &QTimer::timeout, this, &PictureDialog::showPreview);
-    for (QSpinBox* box : {m_width, m_height})
-        connect(box, &QSpinBox::valueChanged, this, [this, box] { tie(box); });
-    connect(m_tied, &QCheckBox::toggled, this, [this] { tie(m_width); });
-    connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
-    for (QCheckBox* box : {m_transparent, m_marks, m_legend})
-        connect(box, &QCheckBox::toggled, this, &PictureDialog::check);
-    for (OptionField* field : {m_rate, m_loop, m_quality})
-        connect(field, &OptionField::changed, this, &PictureDialog::check);
+    m_timer.callOnTimeout(this, &PictureDialog::showPreview);
+    connectEach(
+        this, [this] { tie(m_width); }, m_width, &QSpinBox::valueChanged, m_tied, &QCheckBox::toggled);
+    connect(m_height, &QSpinBox::valueChanged, this, [this] { tie(m_height); });
+    connectEach(this, &PictureDialog::check, m_format, &QComboBox::currentIndexChanged, m_transparent,
+                &QCheckBox::toggled, m_marks, &QCheckBox::toggled, m_legend, &QCheckBox::toggled, m_rate,
+                &OptionField::changed, m_loop, &OptionField::changed, m_quality, &OptionField::changed);
 }
 
 void PictureDialog::lay() {
@@ -150,8 +148,6 @@ void PictureDialog::lay() {
     all->addWidget(m_facts);
     all->addWidget(m_note);
     all->addWidget(m_buttons);
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 /// The other one follows.

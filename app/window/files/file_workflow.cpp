@@ -20,7 +20,7 @@
 #include "app/project/project_fwd.h"
 #include "app/session/opening.h"
 #include "app/views/canvas/canvas.h"
-#include "app/window/export/save_dialog.h"
+#include "app/window/export/dialogs.h"
 #include "app/window/files/project_watch.h"
 #include "core/base/error.h"
 #include "core/base/printable.h"
@@ -134,9 +134,16 @@ Reading tryToRead(const QString& path, const QMap<QString, QString>& found,
 
 }  // namespace
 
-FileWorkflow::FileWorkflow(Document& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window), m_watch(new ProjectWatch(this)) {
-    connect(&document, &Document::opened, this, [this] { m_watch->watch({}, {}); });
+FileWorkflow::FileWorkflow(Document& document, InfoBanner& banner, QWidget& window)
+    : QObject(&window),
+      m_document(document),
+      m_banner(banner),
+      m_window(window),
+      m_watch(new ProjectWatch(this)) {
+    connect(&document, &Document::opened, this, [this] {
+        m_watch->watch({}, {});
+        emit lostChanged();
+    });
     connect(&document, &Document::saved, this, &FileWorkflow::takeBackSaved);
     connect(m_watch, &ProjectWatch::changed, this, &FileWorkflow::watchDisk);
 }
@@ -166,7 +173,7 @@ void FileWorkflow::open(const QString& path) {
 }
 
 void FileWorkflow::read(const QString& path, std::function<OpenedFile()> reader) {
-    say(Topic::Opening, {});
+    m_banner.clear(Topic::Opening);
     emit openingChanged(QFileInfo(path).fileName());
     const auto before = m_document.project();
     const auto work = [path, found = m_found, reader = std::move(reader)] {
@@ -186,15 +193,16 @@ void FileWorkflow::tellOf(const Reading& reading) {
     const QString path = reading.path;
     if (!reading.missing.isEmpty()) {
         const QString missing = reading.missing.first();
-        return say(Topic::Opening, tr("%1 has moved.").arg(QFileInfo(missing).fileName()),
-                   {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
+        return m_banner.tell(Topic::Opening, tr("%1 has moved.").arg(QFileInfo(missing).fileName()),
+                             {{tr("Find It…"), [this, path, missing] { openFound(path, missing); }}});
     }
     const InfoBanner::Remedy another{tr("Open Another…"), [this] { askOpen(); }};
-    if (!reading.isBlank) return say(Topic::Opening, reading.error, {another});
+    if (!reading.isBlank) return m_banner.tell(Topic::Opening, reading.error, {another});
     const auto whole = [this, path] {
         if (mayLeave()) read(path, [path] { return openFile(path, true); });
     };
-    say(Topic::Opening, tr("Nothing to see in this picture."), {{tr("Use Whole Frame"), whole}, another});
+    m_banner.tell(Topic::Opening, tr("Nothing to see in this picture."),
+                  {{tr("Use Whole Frame"), whole}, another});
 }
 
 void FileWorkflow::openFound(const QString& project, const QString& missing) {
@@ -212,20 +220,21 @@ void FileWorkflow::guardWork(const QString& folder) {
     m_recovery = new Recovery(m_document, folder);
     m_recovery->setParent(this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& why) {
-        say(Topic::Copy,
-            tr("Your changes cannot be recovered if the program crashes: please save. %1").arg(why),
-            {{tr("Save"), [this] { save(); }}});
+        m_banner.tell(Topic::Copy,
+                      tr("Your changes cannot be recovered if the program crashes: please save. %1").arg(why),
+                      {{tr("Save"), [this] { save(); }}});
     });
-    connect(m_recovery, &Recovery::written, this, [this] { say(Topic::Copy, {}); });
-    // Removes the recovered copy once there is a new one or the work is saved.
-    const auto discardRecovered = [this] {
-        if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
-        m_recoveredFrom.clear();
-    };
-    connect(m_recovery, &Recovery::written, this, discardRecovered);
-    connect(&m_document, &Document::saved, this, discardRecovered);
-    connect(&m_document, &Document::opened, this, &FileWorkflow::lostChanged);
+    connect(m_recovery, &Recovery::written, this, [this] {
+        m_banner.clear(Topic::Copy);
+        discardRecovered();
+    });
     emit lostChanged();
+}
+
+/// Removes the recovered copy once there is a new one or the work is saved.
+void FileWorkflow::discardRecovered() {
+    if (!m_recoveredFrom.isEmpty()) Recovery::discard(m_recoveredFrom);
+    m_recoveredFrom.clear();
 }
 
 QList<LostWork> FileWorkflow::lost() const {
@@ -239,7 +248,8 @@ void FileWorkflow::tellLostWhenOpened() {
         const QList<LostWork> all = lost();
         if (all.isEmpty() || m_document.isEmpty()) return;
         const LostWork& work = all.first();
-        say(Topic::Lost,
+        m_banner.tell(
+            Topic::Lost,
             tr("Wend was not closed properly: there are unsaved changes to “%1”.").arg(nameOf(work)),
             {{tr("Recover"), [this, work] { recover(work); }}});
     };
@@ -271,26 +281,28 @@ void FileWorkflow::take(const Reading& reading) {
     if (!m_found.isEmpty()) m_document.undoStack()->resetClean();  // its file names the old places
     if (!file.path.isEmpty()) m_watch->watch(file.path, reading.stamp);
     if (m_recoveredFrom.isEmpty()) addRecent(file.source);
-    if (!file.warnings.isEmpty()) say(Topic::Remark, file.warnings.join('\n'));
+    if (!file.warnings.isEmpty()) m_banner.tell(Topic::Remark, file.warnings.join('\n'));
 }
 
 /// Withdraws messages about saving.
 void FileWorkflow::takeBackSaved() {
+    discardRecovered();
     m_watch->watch(m_document.path(), stampOf(m_document.path()));
-    for (const Topic topic : {Topic::Saving, Topic::Disk, Topic::Copy}) say(topic, {});
+    for (const Topic topic : {Topic::Saving, Topic::Disk, Topic::Copy}) m_banner.clear(topic);
 }
 
 void FileWorkflow::watchDisk(bool isOther) {
-    if (!isOther) return say(Topic::Disk, {});
+    if (!isOther) return m_banner.clear(Topic::Disk);
     const auto keep = [this] {
         m_watch->accept();
         m_document.undoStack()->resetClean();  // there is something to save
-        say(Topic::Disk, {});
+        m_banner.clear(Topic::Disk);
     };
-    say(Topic::Disk, tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
-        {{tr("Reload"), [this] { reload(); }}, {tr("Keep Mine"), keep}, {tr("Save As…"), [this] {
-                                                                             saveAs();
-                                                                         }}});
+    m_banner.tell(Topic::Disk,
+                  tr("“%1” was changed by another program or window.").arg(m_document.displayName()),
+                  {{tr("Reload"), [this] { reload(); }}, {tr("Keep Mine"), keep}, {tr("Save As…"), [this] {
+                                                                                       saveAs();
+                                                                                   }}});
 }
 
 void FileWorkflow::reload() {
@@ -333,7 +345,7 @@ bool FileWorkflow::mayTakePlace(const QString& path) {
 }
 
 void FileWorkflow::tellNotSaved(const QString& text) {
-    say(Topic::Saving, text, {{tr("Save As…"), [this] { saveAs(); }}});
+    m_banner.tell(Topic::Saving, text, {{tr("Save As…"), [this] { saveAs(); }}});
 }
 
 bool FileWorkflow::save() {
@@ -428,23 +440,25 @@ void FileWorkflow::addRecent(const QString& path) {
     paths.removeAll(path);
     paths.prepend(path);
     preferences::recentFiles.set(paths.mid(0, kMostRemembered));
+    fillRecent();
     emit recentChanged();
 }
 
-void FileWorkflow::fillRecent(QMenu& menu) {
-    menu.clear();
-    for (const QString& path : recent()) {
-        QAction* action = menu.addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
-        action->setStatusTip(QDir::toNativeSeparators(path));
-    }
-    menu.setEnabled(!menu.isEmpty());
+void FileWorkflow::fillMenus(QMenu& recent, QMenu& samples) {
+    m_recentMenu = &recent;
+    fillRecent();
+    for (const QString& path : samplePaths())
+        samples.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
+    samples.setEnabled(!samples.isEmpty());
 }
 
-void FileWorkflow::fillSamples(QMenu& menu) {
-    menu.clear();
-    for (const QString& path : samplePaths())
-        menu.addAction(QFileInfo(path).completeBaseName(), this, [this, path] { open(path); });
-    menu.setEnabled(!menu.isEmpty());
+void FileWorkflow::fillRecent() {
+    if (!m_recentMenu) return;
+    m_recentMenu->clear();
+    for (const QString& path : recent())
+        m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); })
+            ->setStatusTip(QDir::toNativeSeparators(path));
+    m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
 
 /// The file is opened in the same turn of the event loop, so the note stays visible in between.
@@ -459,7 +473,7 @@ OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over
     over.installEventFilter(this);
     m_delay.setSingleShot(true);
     m_delay.setInterval(kBusyDelay);
-    connect(&m_delay, &QTimer::timeout, this, [this] {
+    m_delay.callOnTimeout(this, [this] {
         place();
         show();
         raise();
@@ -467,8 +481,8 @@ OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over
     connect(&files, &FileWorkflow::openingChanged, this, [this](const QString& name) {
         m_reads = !name.isEmpty();
         if (m_reads) m_name = name;
+        QMetaObject::invokeMethod(this, &OpeningNote::refresh, Qt::QueuedConnection);
     });
-    connect(&files, &FileWorkflow::openingChanged, this, &OpeningNote::refresh, Qt::QueuedConnection);
     connect(&m_canvas.shape(), &DrawnShape::prepared, this, &OpeningNote::refresh);
 }
 

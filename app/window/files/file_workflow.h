@@ -26,11 +26,12 @@ class FileWorkflow : public QObject {
     Q_OBJECT
 
   public:
-    FileWorkflow(Document& document, QWidget& window);
+    /// `banner`: shows what went wrong, and what can be done.
+    FileWorkflow(Document& document, InfoBanner& banner, QWidget& window);
 
     QStringList recent() const;
-    void fillRecent(QMenu& menu);
-    void fillSamples(QMenu& menu);
+    /// Lists recent files and samples in two menus.
+    void fillMenus(QMenu& recent, QMenu& samples);
 
     /// Copies unsaved changes to this folder from now on. Copies of crashed programs are returned by lost().
     void guardWork(const QString& folder);
@@ -55,8 +56,6 @@ class FileWorkflow : public QObject {
     bool mayLeave();
 
   signals:
-    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
-    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
     void openingChanged(QString fileName);
     void recentChanged();
     void lostChanged();
@@ -70,20 +69,21 @@ class FileWorkflow : public QObject {
     bool mayTakePlace(const QString& path);
     void reload();
     void watchDisk(bool isOther);
-    void say(InfoBanner::Topic topic, const QString& text, const QList<InfoBanner::Remedy>& remedies = {}) {
-        emit said(topic, text, remedies);
-    }
     void tellNotSaved(const QString& text);
     void takeBackSaved();
+    void discardRecovered();
     void tellOf(const Reading& reading);
     void openFound(const QString& project, const QString& missing);
     void addRecent(const QString& path);
+    void fillRecent();
     void read(const QString& path, std::function<OpenedFile()> reader);
     void take(const Reading& reading);
 
     Document& m_document;
+    InfoBanner& m_banner;
     QWidget& m_window;
     ProjectWatch* m_watch;
+    QMenu* m_recentMenu = nullptr;
     QMap<QString, QString> m_found;  // files that a project missed, and where they are
     Recovery* m_recovery = nullptr;
     QString m_copies;         // the folder of unsaved changes

@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "app/base/connect_each.h"
+
 namespace wend {
 
 QByteArray stampOf(const QString& path) {
@@ -16,9 +18,10 @@ QByteArray stampOf(const QString& path) {
 ProjectWatch::ProjectWatch(QObject* parent) : QObject(parent) {
     m_settle.setSingleShot(true);
     m_settle.setInterval(100);
-    connect(&m_settle, &QTimer::timeout, this, &ProjectWatch::look);
-    for (const auto changed : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
-        connect(&m_watcher, changed, this, [this] { m_settle.start(); });
+    m_settle.callOnTimeout(this, &ProjectWatch::look);
+    connectEach(
+        this, [this] { m_settle.start(); }, &m_watcher, &QFileSystemWatcher::fileChanged, &m_watcher,
+        &QFileSystemWatcher::directoryChanged);
 }
 
 /// Watches the folder, too, because most programs replace the old file by a new one.

@@ -1,5 +1,6 @@
 #include "app/window/files/start_page.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -236,14 +237,15 @@ void FileCard::paintEvent(QPaintEvent*) {
     if (m_isSolid) paintBadge(painter);
 }
 
-StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+StartPage::StartPage(FileWorkflow& files, const QAction& tutorial, QWidget* parent)
+    : QWidget(parent), m_files(files) {
     auto* page = new QWidget(this);  // scrolls where the window is small
     auto* content = new QWidget(page);
     content->setMaximumWidth(kPageWidth);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(24, 16, 24, 16);
     column->setSpacing(12);
-    column->addWidget(makeHeader());
+    column->addWidget(makeHeader(tutorial));
     column->addWidget(makeDropArea());
     column->addSpacing(4);
     m_lostBox = makeBox(m_lost, content);
@@ -264,20 +266,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
+    connect(&files, &FileWorkflow::recentChanged, this, &StartPage::showRecent);
+    connect(&files, &FileWorkflow::lostChanged, this, &StartPage::showLost);
+    showRecent();
 }
 
-void StartPage::serve(FileWorkflow& files) {
-    connect(this, &StartPage::openRequested, &files, &FileWorkflow::askOpen);
-    connect(this, &StartPage::fileChosen, &files, &FileWorkflow::open);
-    connect(this, &StartPage::recoverRequested, &files, &FileWorkflow::recover);
-    // The card is destroyed with its work, so this is queued until the click has ended.
-    connect(this, &StartPage::discardRequested, &files, &FileWorkflow::discard, Qt::QueuedConnection);
-    connect(&files, &FileWorkflow::recentChanged, this, [this, &files] { setRecent(files.recent()); });
-    connect(&files, &FileWorkflow::lostChanged, this, [this, &files] { setLost(files.lost()); });
-    setRecent(files.recent());
-}
-
-QWidget* StartPage::makeHeader() {
+QWidget* StartPage::makeHeader(const QAction& tutorial) {
     auto* header = new QWidget(this);
     auto* logo = new QLabel(header);
     logo->setPixmap(
@@ -299,11 +293,11 @@ QWidget* StartPage::makeHeader() {
     auto* row = bareRow(header, 16);
     row->addWidget(logo);
     row->addLayout(column, 1);
-    auto* tutorial = new QPushButton(tr("Five-minute tutorial"), header);
-    tutorial->setObjectName(QStringLiteral("startTutorial"));
-    describe(tutorial, tutorial->text(), tr("The first steps on a sample, one after another."));
-    row->addWidget(tutorial, 0, Qt::AlignVCenter);
-    connect(tutorial, &QPushButton::clicked, this, &StartPage::tutorialRequested);
+    auto* start = new QPushButton(tr("Five-minute tutorial"), header);
+    start->setObjectName(QStringLiteral("startTutorial"));
+    describe(start, start->text(), tr("The first steps on a sample, one after another."));
+    row->addWidget(start, 0, Qt::AlignVCenter);
+    connect(start, &QPushButton::clicked, &tutorial, &QAction::trigger);
     return header;
 }
 
@@ -331,7 +325,7 @@ QWidget* StartPage::makeDropArea() {
     column->addWidget(open, 0, Qt::AlignHCenter);
     column->addWidget(kinds);
     column->addStretch(1);
-    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    connect(open, &QPushButton::clicked, &m_files, &FileWorkflow::askOpen);
     return m_drop;
 }
 
@@ -349,11 +343,12 @@ QWidget* StartPage::makeSamples() {
 
 QWidget* StartPage::makeCard(const QString& path, bool sample, QWidget* shelf) {
     auto* card = new FileCard(path, sample ? FileCard::Kind::Sample : FileCard::Kind::Recent, shelf);
-    connect(card, &FileCard::clicked, this, [this, path] { emit fileChosen(path); });
+    connect(card, &FileCard::clicked, &m_files, [this, path] { m_files.open(path); });
     return card;
 }
 
-void StartPage::setRecent(const QStringList& paths) {
+void StartPage::showRecent() {
+    const QStringList paths = m_files.recent();
     empty(*m_recent);
     m_recentBox->setVisible(!paths.isEmpty());
     if (paths.isEmpty()) return;
@@ -363,7 +358,9 @@ void StartPage::setRecent(const QStringList& paths) {
     m_recent->addWidget(shelf);
 }
 
-void StartPage::setLost(const QList<LostWork>& lost) {
+/// Shows recovered work first.
+void StartPage::showLost() {
+    const QList<LostWork> lost = m_files.lost();
     empty(*m_lost);
     m_lostBox->setVisible(!lost.isEmpty());
     if (lost.isEmpty()) return;
@@ -384,8 +381,11 @@ QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
     describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Deletes these changes for good."));
     column->addWidget(card);
     column->addWidget(discard);
-    connect(card, &FileCard::clicked, this, [this, work] { emit recoverRequested(work); });
-    connect(discard, &QPushButton::clicked, this, [this, work] { emit discardRequested(work); });
+    connect(card, &FileCard::clicked, &m_files, [this, work] { m_files.recover(work); });
+    // The card is destroyed with its work, so this is queued until the click has ended.
+    connect(
+        discard, &QPushButton::clicked, &m_files, [this, work] { m_files.discard(work); },
+        Qt::QueuedConnection);
     return both;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/project/edits/recovery.h"
 
+class QAction;
 class QVBoxLayout;
 
 namespace wend {
@@ -45,29 +46,20 @@ class StartPage : public QWidget {
     Q_OBJECT
 
   public:
-    explicit StartPage(QWidget* parent = nullptr);
-    /// Shows the files of `files` and forwards clicks to it.
-    void serve(FileWorkflow& files);
-    void setRecent(const QStringList& paths);
-    /// Shows recovered work first.
-    void setLost(const QList<LostWork>& lost);
+    StartPage(FileWorkflow& files, const QAction& tutorial, QWidget* parent = nullptr);
     /// Highlights the drop area while a file is dragged over the window.
     void setDropHighlighted(bool highlighted);
 
-  signals:
-    void openRequested();
-    void fileChosen(QString path);
-    void recoverRequested(wend::LostWork work);
-    void discardRequested(wend::LostWork work);
-    void tutorialRequested();
-
   private:
-    QWidget* makeHeader();
+    QWidget* makeHeader(const QAction& tutorial);
     QWidget* makeDropArea();
     QWidget* makeSamples();
     QWidget* makeCard(const QString& path, bool sample, QWidget* shelf);
     QWidget* makeLost(const LostWork& work, QWidget* shelf);
+    void showRecent();
+    void showLost();
 
+    FileWorkflow& m_files;
     QWidget* m_drop = nullptr;
     QWidget *m_recentBox = nullptr, *m_lostBox = nullptr;
     QVBoxLayout *m_recent = nullptr, *m_lost = nullptr;

@@ -1,6 +1,5 @@
 #include "app/window/files/taken_over.h"
 
-#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -19,6 +18,7 @@
 #include "app/project/file/named_files.h"
 #include "app/project/project.h"
 #include "app/session/opening.h"
+#include "app/window/export/dialogs.h"
 #include "app/window/files/project_watch.h"
 #include "core/base/error.h"
 #include "core/mesh/mesh_formats.h"
@@ -86,8 +86,8 @@ QStringList picturesOf(const Document& document) {
 
 }  // namespace
 
-DetailChooser::DetailChooser(Document& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window) {}
+DetailChooser::DetailChooser(Document& document, InfoBanner& banner, QWidget& window)
+    : QObject(&window), m_document(document), m_banner(banner), m_window(window) {}
 
 void DetailChooser::ask() {
     const QString path =
@@ -103,10 +103,9 @@ void DetailChooser::read(const QString& path) {
     const auto look = [path] { return readDetail(path.toStdString()); };
     m_reading.ask(look, [this, path, generation = m_document.generation()](const Answer<Skin>& skin) {
         if (generation != m_document.generation()) return;
-        if (!skin.problem.isEmpty()) {
-            emit failed(tr("This surface cannot be embedded in the solid. %1").arg(skin.problem));
-            return;
-        }
+        if (!skin.problem.isEmpty())
+            return m_banner.tell(Topic::Export,
+                                 tr("This surface cannot be embedded in the solid. %1").arg(skin.problem));
         Domain next = m_document.domain();
         next.detail = path.toStdString();
         m_document.changeDomain(tr("Choose skin"), std::move(next));
@@ -122,8 +121,8 @@ void DetailChooser::remove() {
     m_document.changeDomain(tr("Remove skin"), std::move(next));
 }
 
-MotionChooser::MotionChooser(Document& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window) {}
+MotionChooser::MotionChooser(Document& document, InfoBanner& banner, QWidget& window)
+    : QObject(&window), m_document(document), m_banner(banner), m_window(window) {}
 
 void MotionChooser::ask() {
     const QString path = QFileDialog::getOpenFileName(&m_window, tr("Apply Motion of Another Project"),
@@ -141,14 +140,13 @@ void MotionChooser::apply(const QString& path) {
     };
     m_applying.ask(work, [this, before, path](const Answer<TransferredMotion>& motion) {
         if (m_document.project() != before) return;
-        if (!motion.problem.isEmpty()) {
-            emit failed(tr("This motion cannot be applied. %1").arg(motion.problem));
-            return;
-        }
+        if (!motion.problem.isEmpty())
+            return m_banner.tell(Topic::Opening, tr("This motion cannot be applied. %1").arg(motion.problem));
         m_document.change(tr("Apply motion of %1").arg(QFileInfo(path).fileName()), motion.value.project);
         QStringList remarks;
         for (const Message& notice : motion.value.notices) remarks << said(notice);
-        emit applied(remarks.join('\n'));
+        m_banner.clear(Topic::Opening);
+        m_banner.tell(Topic::Remark, remarks.join('\n'));
     });
 }
 
@@ -170,10 +168,7 @@ DrawingSizeDialog::DrawingSizeDialog(const DrawnSize& now, const DrawnSize& firs
     form->addRow(tr("&Height"), m_height);
     form->addRow(tr("&Scale"), m_percent);
     m_percent->setToolTip(tr("Of the size at which the drawing is opened"));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form->addRow(buttons);
+    form->addRow(dialogButtons(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this));
     const double proportion = static_cast<double>(now[1]) / now[0];
     tie(m_width, m_height, proportion);
     tie(m_height, m_width, 1 / proportion);
@@ -200,8 +195,8 @@ DrawnSize DrawingSizeDialog::size() const {
     return {m_width->value(), m_height->value()};
 }
 
-PictureKeeper::PictureKeeper(Document& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window) {
+PictureKeeper::PictureKeeper(Document& document, InfoBanner& banner, QAction& fit, QWidget& window)
+    : QObject(&window), m_document(document), m_banner(banner), m_fit(fit), m_window(window) {
     connect(&document, &Document::opened, this, [this] {
         m_files.clear();  // of another document, though perhaps the same ones
         m_reading.drop();
@@ -217,13 +212,13 @@ void PictureKeeper::follow() {
     m_files = files;
     qDeleteAll(m_watch);
     m_watch.clear();
-    emit said(Topic::Picture, {}, {});
+    m_banner.clear(Topic::Picture);
     for (const QString& file : files) {
         auto* watch = new ProjectWatch(this);
         m_watch << watch;
         watch->watch(file, stampOf(file));
         connect(watch, &ProjectWatch::changed, this, [this, watch, file](bool isOther) {
-            isOther ? tellChanged(*watch, file) : emit said(Topic::Picture, {}, {});
+            isOther ? tellChanged(*watch, file) : m_banner.clear(Topic::Picture);
         });
     }
 }
@@ -231,17 +226,17 @@ void PictureKeeper::follow() {
 void PictureKeeper::tellChanged(ProjectWatch& watch, const QString& file) {
     const auto keep = [this, &watch] {
         watch.accept();
-        emit said(Topic::Picture, {}, {});
+        m_banner.clear(Topic::Picture);
     };
-    emit said(Topic::Picture,
-              tr("The picture “%1” was changed by another program.").arg(QFileInfo(file).fileName()),
-              {{tr("Reload"), [this] { reload(); }}, {tr("Keep"), keep}});
+    m_banner.tell(Topic::Picture,
+                  tr("The picture “%1” was changed by another program.").arg(QFileInfo(file).fileName()),
+                  {{tr("Reload"), [this] { reload(); }}, {tr("Keep"), keep}});
 }
 
 void PictureKeeper::reload() {
     if (m_document.isEmpty()) return;
     for (ProjectWatch* watch : std::as_const(m_watch)) watch->accept();
-    emit said(Topic::Picture, {}, {});
+    m_banner.clear(Topic::Picture);
     Project next = *m_document.project();
     ++next.domain.readings;
     exchange(next, tr("Reload picture"), true);
@@ -266,7 +261,7 @@ void PictureKeeper::replace(const QString& path) {
 
 void PictureKeeper::askSize() {
     if (m_document.isEmpty()) return;
-    const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
+    const auto tell = [this](const QString& text) { m_banner.tell(Topic::Picture, text); };
     const std::string folder = m_document.folder().toStdString();
     try {
         if (drawingIn(m_document.domain(), folder).empty())
@@ -298,7 +293,7 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
     };
     m_reading.ask(work, [this, before, next, name, mayDiffer](const Answer<Picture>& reading) {
         if (m_document.project() != before) return;
-        const auto tell = [this](const QString& text) { emit said(Topic::Picture, text, {}); };
+        const auto tell = [this](const QString& text) { m_banner.tell(Topic::Picture, text); };
         if (!reading.problem.isEmpty())
             return tell(tr("The picture cannot be read. %1").arg(reading.problem));
         const Picture& picture = reading.value;
@@ -325,7 +320,7 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
         const bool isResized =
             picture && was && (was->width != picture->width || was->height != picture->height);
         m_document.change(name, std::move(fitted));
-        if (isResized) emit resized();
+        if (isResized) m_fit.trigger();
         if (!told.isEmpty()) tell(told);  // the change takes earlier lines back
     });
 }

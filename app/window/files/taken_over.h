@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAction>
 #include <QDialog>
 #include <QList>
 #include <QObject>
@@ -25,12 +26,11 @@ class DetailChooser : public QObject {
     Q_OBJECT
 
   public:
-    DetailChooser(Document& document, QWidget& window);
+    DetailChooser(Document& document, InfoBanner& banner, QWidget& window);
     void ask();
     void remove();
 
   signals:
-    void failed(QString text);
     /// The project has it from now on.
     void chosen();
 
@@ -38,6 +38,7 @@ class DetailChooser : public QObject {
     void read(const QString& path);
 
     Document& m_document;
+    InfoBanner& m_banner;
     QWidget& m_window;
     Latest m_reading{this};
 };
@@ -47,20 +48,16 @@ class MotionChooser : public QObject {
     Q_OBJECT
 
   public:
-    MotionChooser(Document& document, QWidget& window);
+    MotionChooser(Document& document, InfoBanner& banner, QWidget& window);
 
     void ask();
     /// Does so in the background, because both shapes are built. A document that changes meanwhile keeps its
     /// own motion.
     void apply(const QString& path);
 
-  signals:
-    void failed(QString text);
-    /// Emitted when the motion is there, with what did not fit, one line each.
-    void applied(QString remarks);
-
   private:
     Document& m_document;
+    InfoBanner& m_banner;
     QWidget& m_window;
     Latest m_applying{this};
 };
@@ -90,7 +87,8 @@ class PictureKeeper : public QObject {
     Q_OBJECT
 
   public:
-    PictureKeeper(Document& document, QWidget& window);
+    /// `fit`: shows the whole picture.
+    PictureKeeper(Document& document, InfoBanner& banner, QAction& fit, QWidget& window);
 
     void askReplace();
     /// Does so in the background. Pins, paths and regions are scaled if the sizes differ.
@@ -102,18 +100,14 @@ class PictureKeeper : public QObject {
     /// Reads the pictures of the document again, in an undo step.
     void reload();
 
-  signals:
-    /// The picture has another size now.
-    void resized();
-    /// Emits a message for the banner; an empty text withdraws the last one of that topic.
-    void said(wend::InfoBanner::Topic topic, QString text, QList<wend::InfoBanner::Remedy> remedies);
-
   private:
     void follow();
     void tellChanged(ProjectWatch& watch, const QString& file);
     void exchange(const Project& next, const QString& name, bool mayDiffer);
 
     Document& m_document;
+    InfoBanner& m_banner;
+    QAction& m_fit;
     QWidget& m_window;
     QStringList m_files;           // that are watched
     QList<ProjectWatch*> m_watch;  // one for each

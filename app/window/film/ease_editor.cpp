@@ -11,11 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/panels/fields/ease_names.h"
 #include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/style/theme.h"
-#include "app/window/film/track_view.h"
+#include "app/window/film/track_choice.h"
 
 namespace wend {
 
@@ -182,9 +183,9 @@ void EasePlot::paintHandles(QPainter& painter) const {
     }
 }
 
-EaseEditor::EaseEditor(TrackView& tracks)
-    : QDialog(&tracks, Qt::Tool),
-      m_tracks(tracks),
+EaseEditor::EaseEditor(TrackChoice& choice, QWidget* parent)
+    : QDialog(parent, Qt::Tool),
+      m_choice(choice),
       m_what(secondLabel({}, this)),
       m_plot(new EasePlot(this)),
       m_start(new ExactBox(this)),
@@ -200,9 +201,9 @@ EaseEditor::EaseEditor(TrackView& tracks)
     column->addLayout(panelRow(tr("Speed at the &end"), m_end, this));
     connect(m_plot, &EasePlot::moved, this, &EaseEditor::showSpeeds);
     connect(m_plot, &EasePlot::changed, this, [this](const Progress& curve, bool byKey) {
-        m_tracks.setProgress(curve, byKey ? QStringLiteral("ease keys") : QString());
+        m_choice.setProgress(curve, byKey ? QStringLiteral("ease keys") : QString());
     });
-    connect(&m_tracks, &TrackView::choiceChanged, this, &EaseEditor::takeChoice);
+    connect(&m_choice, &TrackChoice::changed, this, &EaseEditor::takeChoice);
     takeChoice();
 }
 
@@ -213,8 +214,9 @@ void EaseEditor::makeSpeeds() {
         box->setSingleStep(10);
         box->setSuffix(tr(" %"));
         box->setKeyboardTracking(false);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &EaseEditor::typeSpeeds);
     }
+    connectEach(this, &EaseEditor::typeSpeeds, m_start, &QDoubleSpinBox::valueChanged, m_end,
+                &QDoubleSpinBox::valueChanged);
     const QString help = tr("In percent of the speed of an even move: at 0 % the pin stops there.");
     describe(m_start, tr("Speed at the start"), help);
     describe(m_end, tr("Speed at the end"), help);
@@ -246,7 +248,7 @@ QWidget* EaseEditor::makePresets() {
         button->setCheckable(true);
         describe(button, withoutKey(easeName(ease)), withoutKey(easeName(ease)));
         connect(button, &QToolButton::clicked, this,
-                [this, ease] { m_tracks.setProgress(progressOf(ease)); });
+                [this, ease] { m_choice.setProgress(progressOf(ease)); });
         buttons->addWidget(button);
         m_presets.push_back(button);
     }
@@ -254,7 +256,7 @@ QWidget* EaseEditor::makePresets() {
     hold->setObjectName(QStringLiteral("easeHold"));
     hold->setText(tr("Hold"));
     describe(hold, tr("Hold"), tr("The pin stays where it was, and goes on from there afterwards."));
-    connect(hold, &QToolButton::clicked, &m_tracks, &TrackView::holdChosen);
+    connect(hold, &QToolButton::clicked, &m_choice, &TrackChoice::holdEased);
     buttons->addWidget(hold);
     buttons->addStretch(1);
     m_presets.push_back(hold);
@@ -263,8 +265,9 @@ QWidget* EaseEditor::makePresets() {
 
 /// Shows the first of the chosen motions.
 void EaseEditor::takeChoice() {
-    const auto motions = m_tracks.easedMotions();
-    const auto shown = m_tracks.shownEase();
+    const auto motions = m_choice.easedMotions();
+    std::optional<ShownProgress> shown;
+    if (!motions.empty()) shown = shownProgress(m_choice.design(), motions.front());
     m_plot->setProgress(shown);
     m_what->setText(motions.empty()       ? tr("Choose a bar or a key in the tracks.")
                     : !shown->isFree      ? tr("Rotations and scalings have one of the four easings.")
@@ -284,7 +287,7 @@ void EaseEditor::showSpeeds(const Progress& curve) {
 
 void EaseEditor::typeSpeeds() {
     const Progress typed{m_start->exact() / (3 * kInPercent), 1 - m_end->exact() / (3 * kInPercent)};
-    m_tracks.setProgress(typed, QStringLiteral("ease numbers"));
+    m_choice.setProgress(typed, QStringLiteral("ease numbers"));
 }
 
 }  // namespace wend

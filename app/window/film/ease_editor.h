@@ -13,7 +13,7 @@ class QToolButton;
 namespace wend {
 
 class ExactBox;
-class TrackView;
+class TrackChoice;
 
 /// The progress of a move over its time, with two handles that are dragged up and down.
 class EasePlot : public QWidget {
@@ -65,7 +65,7 @@ class EaseEditor : public QDialog {
     Q_OBJECT
 
   public:
-    explicit EaseEditor(TrackView& tracks);
+    EaseEditor(TrackChoice& choice, QWidget* parent);
 
     EasePlot& plot() const { return *m_plot; }
 
@@ -77,7 +77,7 @@ class EaseEditor : public QDialog {
     void showSpeeds(const Progress& curve);
     void typeSpeeds();
 
-    TrackView& m_tracks;
+    TrackChoice& m_choice;
     QLabel* m_what;
     EasePlot* m_plot;
     ExactBox *m_start, *m_end;

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <set>
 
+#include "app/base/connect_each.h"
+#include "app/engine/motion/playback.h"
 #include "app/project/design.h"
 #include "app/project/edits/key_edits.h"
+#include "app/session/shape_motion.h"
 #include "app/style/theme.h"
 #include "app/window/film/pose_drawing.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 
 namespace wend {
 
@@ -24,20 +27,21 @@ constexpr double kOnePose = 1e-9;                   // seconds
 
 }  // namespace
 
-KeyPoseStrip::KeyPoseStrip(ShapeSession& session, TimeScale& scale, QWidget* parent)
-    : QWidget(parent), m_session(session), m_scale(scale) {
+KeyPoseStrip::KeyPoseStrip(const ShapeMotion& motion, Playback& playback, const TimeScale& scale,
+                           QWidget* parent)
+    : QWidget(parent), m_motion(motion), m_playback(playback), m_scale(scale) {
     setObjectName(QStringLiteral("keyPoses"));
     setAccessibleName(tr("Key poses"));
     setStatusTip(tr("The shape at the key poses of all pins: a click goes there"));
     m_idle.setSingleShot(true);
     m_idle.setInterval(kPoseIdle);
-    connect(&m_idle, &QTimer::timeout, this, &KeyPoseStrip::drawNext);
-    connect(&session.document(), &Document::opened, this, &KeyPoseStrip::takeKeys);
-    connect(&session.document(), &Document::projectChanged, this, &KeyPoseStrip::takeKeys);
-    connect(&session.motion(), &ShapeMotion::busyChanged, this, &KeyPoseStrip::expire);
-    connect(&session.motion(), &ShapeMotion::frameChanged, this, &KeyPoseStrip::expire);
-    connect(&scale, &TimeScale::changed, this, &KeyPoseStrip::expire);
-    connect(&session.playback(), &Playback::timeChanged, this, qOverload<>(&QWidget::update));
+    m_idle.callOnTimeout(this, &KeyPoseStrip::drawNext);
+    const Document* document = &motion.document();
+    connectEach(this, &KeyPoseStrip::takeKeys, document, &Document::opened, document,
+                &Document::projectChanged);
+    connectEach(this, &KeyPoseStrip::expire, &motion, &ShapeMotion::busyChanged, &motion,
+                &ShapeMotion::frameChanged, &scale, &TimeScale::changed);
+    connect(&playback, &Playback::timeChanged, this, qOverload<>(&QWidget::update));
     takeKeys();
 }
 
@@ -48,9 +52,9 @@ void KeyPoseStrip::setDrawing(PoseDrawing* drawing) {
 
 /// Keeps the pictures of times that stay: those that are outdated are shown until they are drawn again.
 void KeyPoseStrip::takeKeys() {
-    const Document& document = m_session.document();
+    const Document& document = m_motion.document();
     std::set<double> times;
-    const int count = document.isEmpty() ? 0 : m_session.pins().count();
+    const int count = document.isEmpty() ? 0 : static_cast<int>(document.design().handles.size());
     for (int h = 0; h < count; ++h)
         for (const double time : keyTimes(document.design(), h)) times.insert(time);
     const bool same = std::exchange(m_generation, document.generation()) == document.generation();
@@ -93,7 +97,7 @@ QPixmap KeyPoseStrip::pictureOf(double time) const {
 }
 
 bool KeyPoseStrip::isCurrent(const Pose& pose) const {
-    return pose.frame && pose.frame == m_session.motion().track().at(pose.time);
+    return pose.frame && pose.frame == m_motion.track().at(pose.time);
 }
 
 bool KeyPoseStrip::isDone() const {
@@ -107,10 +111,9 @@ void KeyPoseStrip::expire() {
 
 void KeyPoseStrip::drawNext() {
     if (!m_drawing || m_draws || !isVisible()) return;
-    if (m_session.motion().isBusy() || m_session.motion().isDragging() || m_session.playback().isPlaying())
-        return m_idle.start();
+    if (m_motion.isBusy() || m_motion.isDragging() || m_playback.isPlaying()) return m_idle.start();
     for (const auto& [pose, place] : placed()) {
-        const FramePtr frame = m_session.motion().track().at(pose->time);
+        const FramePtr frame = m_motion.track().at(pose->time);
         if (!frame || frame == pose->frame) continue;
         m_draws = true;
         const QSize pixels = (place.size() * devicePixelRatioF()).toSize();
@@ -140,8 +143,8 @@ void KeyPoseStrip::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     for (const auto& [pose, place] : placed())
         if (place.contains(event->position())) {
-            m_session.playback().setPlaying(false);
-            return m_session.playback().setTime(pose->time);
+            m_playback.setPlaying(false);
+            return m_playback.setTime(pose->time);
         }
 }
 
@@ -162,7 +165,7 @@ void KeyPoseStrip::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme theme = Theme::of(palette());
     painter.fillRect(rect(), palette().color(QPalette::Window));
-    const double now = m_session.playback().time();
+    const double now = m_playback.time();
     for (const Pose& pose : m_poses) {  // also those without a picture
         painter.setPen(theme.secondText);
         const double x = m_scale.xOf(pose.time);

@@ -5,11 +5,13 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/frame.h"
 
 namespace wend {
 
+class Playback;
 class PoseDrawing;
+class ShapeMotion;
 class TimeScale;
 
 /// Shows the shape at the key poses of all pins above the ruler; a click sets the time to that of a pose. The
@@ -18,7 +20,7 @@ class KeyPoseStrip : public QWidget {
     Q_OBJECT
 
   public:
-    KeyPoseStrip(ShapeSession& session, TimeScale& scale, QWidget* parent);
+    KeyPoseStrip(const ShapeMotion& motion, Playback& playback, const TimeScale& scale, QWidget* parent);
 
     static constexpr int kHeight = 52;  // pixels
     void setDrawing(PoseDrawing* drawing);
@@ -54,8 +56,9 @@ class KeyPoseStrip : public QWidget {
     std::vector<Placed> placed() const;
     bool isCurrent(const Pose& pose) const;
 
-    ShapeSession& m_session;
-    TimeScale& m_scale;
+    const ShapeMotion& m_motion;
+    Playback& m_playback;
+    const TimeScale& m_scale;
     PoseDrawing* m_drawing = nullptr;
     QTimer m_idle;
     std::vector<Pose> m_poses;  // in the order of time

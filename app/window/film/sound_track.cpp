@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "app/base/connect_each.h"
 #include "app/base/preferences.h"
 #include "app/project/edits/film_edits.h"
 #include "core/base/fed_process.h"
@@ -51,9 +52,9 @@ SoundTrack::SoundTrack(Document& document, Playback& playback, QObject* parent)
     connect(&m_decoder, &QProcess::finished, this, &SoundTrack::endDecoding);
     connect(&m_player, &QProcess::finished, this, &SoundTrack::endPiece);
     m_pieceLimit.setSingleShot(true);
-    connect(&m_pieceLimit, &QTimer::timeout, &m_player, &QProcess::kill);
-    connect(&document, &Document::projectChanged, this, &SoundTrack::takeProject);
-    connect(&document, &Document::opened, this, &SoundTrack::takeProject);
+    m_pieceLimit.callOnTimeout(&m_player, &QProcess::kill);
+    connectEach(this, &SoundTrack::takeProject, &document, &Document::projectChanged, &document,
+                &Document::opened);
     connect(&playback, &Playback::playingChanged, this, [this](bool plays) { plays ? play() : stop(); });
     connect(&playback, &Playback::timeChanged, this, &SoundTrack::follow);
     takeProject();
@@ -86,7 +87,7 @@ void SoundTrack::takeProject() {
 void SoundTrack::decode() {
     const QString program = programNamed("ffmpeg");
     if (program.isEmpty()) {
-        emit notice(
+        m_document.notify(
             tr("The sound is not shown: that needs the program ffmpeg (Debian: sudo apt "
                "install ffmpeg)."));
         return;
@@ -118,7 +119,8 @@ void SoundTrack::read() {
 void SoundTrack::endDecoding() {
     read();
     if (m_decoder.exitCode() == 0 && m_decoder.exitStatus() == QProcess::NormalExit) return;
-    emit notice(tr("The sound %1 cannot be read: is the file there?").arg(QFileInfo(m_file).fileName()));
+    m_document.notify(
+        tr("The sound %1 cannot be read: is the file there?").arg(QFileInfo(m_file).fileName()));
 }
 
 void SoundTrack::play() {

@@ -37,8 +37,6 @@ class SoundTrack : public QObject {
 
   signals:
     void changed();
-    /// Emitted with a line for the status bar.
-    void notice(QString text);
 
   private:
     void takeProject();

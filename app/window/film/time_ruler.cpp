@@ -10,12 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/connect_each.h"
 #include "app/base/preferences.h"
 #include "app/project/edits/film_edits.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/style/theme.h"
 #include "app/window/film/sound_track.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 
 namespace wend {
 
@@ -46,7 +47,6 @@ TimeRuler::TimeRuler(Document& document, Playback& playback, TimeScale& scale, S
     setStatusTip(
         tr("Drag to show another time; with Shift, mark the part that a loop repeats. A right-click "
            "counts frames, sets the frame rate, and adds markers"));
-    const auto repaint = qOverload<>(&QWidget::update);
     const auto arrange = [this] {
         m_drag = Drag::None;
         m_marker = -1;
@@ -54,12 +54,10 @@ TimeRuler::TimeRuler(Document& document, Playback& playback, TimeScale& scale, S
         if (std::exchange(m_rows, rows()) != m_rows) emit rowsChanged();
         update();
     };
-    connect(&document, &Document::opened, this, arrange);
-    connect(&document, &Document::projectChanged, this, arrange);
-    connect(&sound, &SoundTrack::changed, this, arrange);
-    connect(&playback, &Playback::timeChanged, this, repaint);
-    connect(&playback, &Playback::endChanged, this, repaint);
-    connect(&scale, &TimeScale::changed, this, repaint);
+    connectEach(this, arrange, &document, &Document::opened, &document, &Document::projectChanged, &sound,
+                &SoundTrack::changed);
+    connectEach(this, qOverload<>(&QWidget::update), &playback, &Playback::timeChanged, &playback,
+                &Playback::endChanged, &scale, &TimeScale::changed);
     arrange();
 }
 

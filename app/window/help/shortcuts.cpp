@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QCoreApplication>
-#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
@@ -20,6 +19,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/window/actions/action_maker.h"
 #include "app/window/actions/toolbox.h"
+#include "app/window/export/dialogs.h"
 
 namespace wend {
 
@@ -183,11 +183,9 @@ CheatSheet::CheatSheet(const QMenuBar& menus, int dimension, QWidget* parent) : 
     sheet->setHtml(text(menus, dimension));
     sheet->setFrameShape(QFrame::NoFrame);
     sheet->setAccessibleName(windowTitle());
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);
     column->addWidget(sheet, 1);
-    column->addWidget(buttons);
+    column->addWidget(dialogButtons(QDialogButtonBox::Close, this));
     resize(QSize(1060, 700).boundedTo(parent->size()));
 }
 
@@ -206,11 +204,10 @@ ShortcutDialog::ShortcutDialog(const QMenuBar& menus, Toolbox& tools, QWidget* p
     filter->setClearButtonEnabled(true);
     connect(filter, &QLineEdit::textChanged, this, &ShortcutDialog::search);
     fill(menus);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    QDialogButtonBox* buttons = dialogButtons(QDialogButtonBox::Close, this);
     auto* all = buttons->addButton(tr("&All Standard"), QDialogButtonBox::ResetRole);
     all->setToolTip(tr("Give every action the keys that it has in a new Wend"));
     connect(all, &QPushButton::clicked, this, &ShortcutDialog::restoreAll);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_note->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->addWidget(filter);

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
+#include "app/base/connect_each.h"
 #include "app/base/in_background.h"
 #include "app/base/said.h"
 #include "app/engine/motion/playback.h"
@@ -18,12 +20,14 @@
 #include "app/project/edits/setting_edits.h"
 #include "app/session/shape_session.h"
 #include "app/window/notices/info_banner.h"
-#include "app/window/notices/picture_checks.h"
 #include "core/base/error.h"
 #include "core/mesh/hanging_parts.h"
+#include "core/mesh/segments.h"
 #include "core/motion/constraints.h"
 #include "core/solver/solver_choice.h"
+#include "warp/convert.h"
 #include "warp/drawn_picture.h"
+#include "warp/outline.h"
 
 namespace wend {
 
@@ -74,12 +78,123 @@ QString sentence(const QString& remark) {
     return result;
 }
 
+// --- Soft edges ---
+
+constexpr float kLeastMissed = 0.02F;  // less is not missed
+constexpr double kMuch = 0.01;         // of the pixels within
+
+enum Pixel : std::uint8_t { Nothing, Faint, Within };
+
+class PixelKinds {
+  public:
+    PixelKinds(const Image& picture, double threshold)
+        : m_width(picture.width),
+          m_height(picture.height),
+          m_kinds(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
+        const auto channels = static_cast<std::size_t>(picture.channels);
+        std::vector<float> row(static_cast<std::size_t>(m_width) * channels);
+        std::size_t at = 0;
+        for (int y = 0; y < m_height; ++y) {
+            loadRow(picture, y, row.data());
+            for (std::size_t i = channels - 1; i < row.size(); i += channels)
+                m_kinds[at++] = row[i] >= static_cast<float>(threshold) ? Within
+                                : row[i] > kLeastMissed                 ? Faint
+                                                                        : Nothing;
+        }
+    }
+    std::size_t count(Pixel kind) const {
+        return static_cast<std::size_t>(std::ranges::count(m_kinds, kind));
+    }
+    /// Counts faint pixels farther than `reach` pixels from the outline.
+    std::size_t countFar(int reach) const {
+        std::size_t count = 0;
+        for (int y = 0; y < m_height; ++y)
+            for (int x = 0; x < m_width; ++x) count += at(x, y) == Faint && isFar(x, y, reach);
+        return count;
+    }
+
+  private:
+    Pixel at(int x, int y) const {
+        return static_cast<Pixel>(m_kinds[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) +
+                                          static_cast<std::size_t>(x)]);
+    }
+    bool isFar(int x, int y, int reach) const {
+        for (int v = std::max(0, y - reach); v <= std::min(m_height - 1, y + reach); ++v)
+            for (int u = std::max(0, x - reach); u <= std::min(m_width - 1, x + reach); ++u)
+                if (at(u, v) == Within) return false;
+        return true;
+    }
+
+    int m_width, m_height;
+    std::vector<std::uint8_t> m_kinds;
+};
+
+// --- Line art ---
+
+constexpr double kMostInk = 0.4;    // of what the strokes enclose
+constexpr double kThickest = 0.04;  // of the picture's diagonal: the mean width of a stroke
+
+struct InkMeasure {
+    double area = 0, length = 0;
+};
+
+/// Measures with the even-odd rule: holes count against what they are in.
+InkMeasure measured(const Outline& outline) {
+    InkMeasure sum;
+    for (const auto& loop : outline.loops) {
+        sum.area += loopArea(loop);
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            sum.length += (loop[(k + 1) % loop.size()] - loop[k]).norm();
+    }
+    sum.area = std::abs(sum.area);
+    return sum;
+}
+
 }  // namespace
 
-Offers::Offers(Document& document, InfoBanner& banner, QObject* parent)
+bool hasOpaqueEdges(const Image& picture) {
+    constexpr float kFull = 0.99F;
+    if (!picture.alpha) return true;
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    std::vector<float> row(static_cast<std::size_t>(picture.width) * channels);
+    for (const int y : {0, picture.height - 1}) {
+        loadRow(picture, y, row.data());
+        for (std::size_t i = channels - 1; i < row.size(); i += channels)
+            if (row[i] < kFull) return false;
+    }
+    return true;
+}
+
+bool cutsSoftEdges(const Image& picture, const AlphaOutlineOptions& outline) {
+    if (!picture.alpha) return false;
+    const PixelKinds pixels(picture, outline.threshold);
+    const double much = kMuch * static_cast<double>(pixels.count(Within));
+    if (static_cast<double>(pixels.count(Faint)) <= much) return false;
+    return static_cast<double>(pixels.countFar(static_cast<int>(std::ceil(outline.margin)))) > much;
+}
+
+bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline) {
+    if (!picture.alpha) return false;
+    try {
+        AlphaOutlineOptions strokes = outline;
+        strokes.margin = 0;
+        strokes.holes = OutlineHoles::Kept;
+        const InkMeasure ink = measured(outlineFromAlpha(picture, strokes));
+        strokes.holes = OutlineHoles::Filled;
+        const InkMeasure whole = measured(outlineFromAlpha(picture, strokes));
+        const double width = ink.length > 0 ? 2 * ink.area / ink.length : 0;
+        return ink.area < kMostInk * whole.area &&
+               width < kThickest * std::hypot(picture.width, picture.height);
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+Offers::Offers(Document& document, InfoBanner& banner, QAction& size, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_banner(banner),
+      m_size(size),
       m_all{border(), softEdges(), lineArt(), drawing(), parts()} {
     connect(&m_document, &Document::opened, this, &Offers::look);
     connect(&m_document, &Document::projectChanged, this, &Offers::follow);
@@ -155,7 +270,7 @@ Offers::Offer Offers::parts() {
 }
 
 InfoBanner::Remedy Offers::sizeButton() {
-    return {tr("Another Size…"), [this] { emit sizeWanted(); }};
+    return {tr("Another Size…"), [this] { m_size.trigger(); }};
 }
 
 /// One of several layers has the button beside the line about its parts.
@@ -222,9 +337,9 @@ RidingOffer::RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* par
 /// Looks at every project once, when its motion is there.
 void RidingOffer::look() {
     const Document& document = m_session.document();
-    if (document.isEmpty() || document.dimension() != 2 || m_session.motion().isDragging() ||
-        m_session.motion().isBusy() || m_session.motion().isStale() || document.project() == m_lookedAt ||
-        !(m_session.playback().end() > 0))
+    const ShapeMotion& motion = m_session.motion();
+    if (document.isEmpty() || document.dimension() != 2 || motion.isDragging() || motion.isBusy() ||
+        motion.isStale() || document.project() == m_lookedAt || !(m_session.playback().end() > 0))
         return;
     m_lookedAt = document.project();
     const std::vector<StrayPart> strays = strayParts(m_session);
@@ -277,22 +392,21 @@ bool comesBack(const Pin& handle) {
     }
 }
 
-SpringOffer::SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
-    : QObject(parent), m_session(session), m_banner(banner) {
-    connect(&m_session.document(), &Document::opened, this, [this] {
+SpringOffer::SpringOffer(Document& document, const Playback& playback, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_document(document), m_playback(playback), m_banner(banner) {
+    connect(&document, &Document::opened, this, [this] {
         m_isOffered = m_isDeclined = false;
         follow();
     });
-    connect(&m_session.document(), &Document::projectChanged, this, &SpringOffer::follow);
-    connect(&m_session.playback(), &Playback::loopsChanged, this, &SpringOffer::follow);
+    connectEach(this, &SpringOffer::follow, &document, &Document::projectChanged, &playback,
+                &Playback::loopsChanged);
 }
 
 bool SpringOffer::isDue() const {
-    const Document& document = m_session.document();
-    if (document.isEmpty() || settingOf(document, "material.memory") != 0) return false;
-    if (motionEnd(*document.project()) <= 0) return false;
-    if (m_session.playback().loops()) return true;
-    return std::ranges::any_of(document.design().handles, comesBack);
+    if (m_document.isEmpty() || settingOf(m_document, "material.memory") != 0) return false;
+    if (motionEnd(*m_document.project()) <= 0) return false;
+    if (m_playback.loops()) return true;
+    return std::ranges::any_of(m_document.design().handles, comesBack);
 }
 
 /// The offer is made once for a document.
@@ -303,7 +417,7 @@ void SpringOffer::follow() {
     if (!isDue) return m_banner.clear(InfoBanner::Topic::Spring);
     m_isDeclined = true;
     const auto take = [this] {
-        changeSetting(m_session.document(), "material.memory", std::numeric_limits<double>::infinity());
+        changeSetting(m_document, "material.memory", std::numeric_limits<double>::infinity());
     };
     m_banner.tell(
         InfoBanner::Topic::Spring,
@@ -312,17 +426,18 @@ void SpringOffer::follow() {
         {{tr("Spring Back Fully"), take}});
 }
 
-QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session) {
+QList<InfoBanner::Remedy> problemRemedies(Document& document, bool lacksMemory) {
     QList<InfoBanner::Remedy> remedies;
-    if (session.motion().lacksMemory()) addLessMemory(session.document(), remedies);
-    QUndoStack* steps = session.document().undoStack();
+    if (lacksMemory) addLessMemory(document, remedies);
+    QUndoStack* steps = document.undoStack();
     if (steps->canUndo())
         remedies << InfoBanner::Remedy{remedyText(QT_TRANSLATE_NOOP("wend::ProblemRemedies", "Undo")),
                                        [steps] { steps->undo(); }};
     return remedies;
 }
 
-ShapeNotices::ShapeNotices(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
+ShapeNotices::ShapeNotices(ShapeSession& session, InfoBanner& banner, QObject* parent)
+    : QObject(parent), m_session(session), m_banner(banner) {
     connect(&session.motion(), &ShapeMotion::frameChanged, this, &ShapeNotices::follow);
     connect(&session.document(), &Document::opened, this, [this] {  // messages belong to the document
         m_shape.reset();
@@ -361,7 +476,7 @@ void ShapeNotices::tell() {
     }
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” allows the surface's triangles to be split.");
-    if (!lines.isEmpty() || m_hasTold) emit told(lines.join('\n'), remedies);
+    if (!lines.isEmpty() || m_hasTold) m_banner.tell(InfoBanner::Topic::Mesh, lines.join('\n'), remedies);
     m_hasTold = !lines.isEmpty();
 }
 
@@ -390,7 +505,7 @@ void ShapeNotices::pinHanging() {
     }
     m_session.document().endStep();
     m_hasTold = false;
-    emit told({}, {});
+    m_banner.clear(InfoBanner::Topic::Mesh);
 }
 
 }  // namespace wend

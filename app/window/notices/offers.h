@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QObject>
+#include <QAction>
 #include <functional>
 #include <memory>
 #include <set>
@@ -17,6 +17,13 @@ namespace wend {
 
 class Document;
 
+/// Returns whether the upper and lower edges are opaque.
+bool hasOpaqueEdges(const Image& picture);
+/// Returns whether the outline cuts off a wide soft edge, a glow or a shadow.
+bool cutsSoftEdges(const Image& picture, const AlphaOutlineOptions& outline);
+/// Returns whether most of what the outline encloses is empty: thin strokes around areas without fill.
+bool isLineArt(const Image& picture, const AlphaOutlineOptions& outline);
+
 /// Offers to hold the border of a photograph, to include soft edges, to fill the holes of line art, to draw
 /// an SVG drawing in another size, or to open layers as one picture when a file was opened. An offer is shown
 /// until it is accepted, declined or irrelevant. Nothing is offered for saved projects.
@@ -24,11 +31,8 @@ class Offers : public QObject {
     Q_OBJECT
 
   public:
-    Offers(Document& document, InfoBanner& banner, QObject* parent);
-
-  signals:
-    /// The size of the drawing is to be asked for.
-    void sizeWanted();
+    /// `size`: asks for the size of a drawing.
+    Offers(Document& document, InfoBanner& banner, QAction& size, QObject* parent);
 
   private:
     struct Words {
@@ -58,6 +62,7 @@ class Offers : public QObject {
 
     Document& m_document;
     InfoBanner& m_banner;
+    QAction& m_size;
     const std::vector<Offer> m_all;
     bool m_isDrawing = false;            // what was opened
     std::set<InfoBanner::Topic> m_made;  // and neither taken nor withdrawn
@@ -90,31 +95,30 @@ class SpringOffer : public QObject {
     Q_OBJECT
 
   public:
-    SpringOffer(ShapeSession& session, InfoBanner& banner, QObject* parent);
+    SpringOffer(Document& document, const Playback& playback, InfoBanner& banner, QObject* parent);
 
   private:
     bool isDue() const;
     void follow();
 
-    ShapeSession& m_session;
+    Document& m_document;
+    const Playback& m_playback;
     InfoBanner& m_banner;
     bool m_isOffered = false, m_isDeclined = false;
 };
 
 /// Returns buttons for a project that cannot be computed: where memory is short, a solver that needs less and
 /// half as many vertices, as far as the project allows; and Undo if there is a step.
-QList<InfoBanner::Remedy> problemRemedies(ShapeSession& session);
+QList<InfoBanner::Remedy> problemRemedies(Document& document, bool lacksMemory);
 
 /// Messages about a new shape, once per mesh.
 class ShapeNotices : public QObject {
     Q_OBJECT
 
   public:
-    ShapeNotices(ShapeSession& session, QObject* parent);
+    ShapeNotices(ShapeSession& session, InfoBanner& banner, QObject* parent);
 
   signals:
-    /// Emits lines with their remedies; empty if there is nothing to report any more.
-    void told(const QString& text, const QList<wend::InfoBanner::Remedy>& remedies);
     /// Emitted to request the reason for a cage.
     void reasonWanted();
 
@@ -128,6 +132,7 @@ class ShapeNotices : public QObject {
     void pinHanging();
 
     ShapeSession& m_session;
+    InfoBanner& m_banner;
     std::shared_ptr<const void> m_shape;  // the rest mesh that was reported
     bool m_hasTold = false;               // and there was something to say
 };

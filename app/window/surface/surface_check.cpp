@@ -15,10 +15,12 @@
 #include <utility>
 
 #include "app/base/in_background.h"
+#include "app/engine/motion/playback.h"
 #include "app/engine/shape/shape.h"
 #include "app/panels/surface_panel.h"
 #include "app/project/domain.h"
 #include "app/project/file/named_files.h"
+#include "app/session/shape_motion.h"
 #include "app/style/marks.h"
 #include "app/views/volume/solid_canvas.h"
 #include "core/base/disjoint_sets.h"
@@ -124,22 +126,27 @@ std::vector<SurfaceFix> possible(const Surface& source, const std::vector<Surfac
 
 }  // namespace
 
-SurfaceCheck::SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window)
-    : QObject(&window), m_session(session), m_panel(panel), m_window(window) {
-    connect(&session.motion(), &ShapeMotion::problem, this, [this](const QString& text) {
+SurfaceCheck::SurfaceCheck(Document& document, const Playback& playback, const ShapeMotion& motion,
+                           SurfacePanel& panel, QWidget& window)
+    : QObject(&window),
+      m_document(document),
+      m_playback(playback),
+      m_motion(motion),
+      m_panel(panel),
+      m_window(window) {
+    connect(&motion, &ShapeMotion::problem, this, [this](const QString& text) {
         hide();
         m_isCaged = false;
-        const Document& document = m_session.document();
-        const bool surface = document.dimension() == 3 && document.domain().kind == DomainKind::Surface;
+        const bool surface = m_document.dimension() == 3 && m_document.domain().kind == DomainKind::Surface;
         if (!text.isEmpty() && surface && m_canvas) look();
     });
-    connect(&session.document(), &Document::opened, this, [this] {
+    connect(&document, &Document::opened, this, [this] {
         hide();
         m_checking.drop();
         m_reading.drop();
         preview();
     });
-    connect(&session.motion(), &ShapeMotion::frameChanged, this, &SurfaceCheck::takeShape);
+    connect(&motion, &ShapeMotion::frameChanged, this, &SurfaceCheck::takeShape);
     connect(&panel, &SurfacePanel::caseChosen, this, &SurfaceCheck::showCase);
     connect(&panel, &SurfacePanel::solidWanted, this, &SurfaceCheck::showSolid);
     connect(&panel, &SurfacePanel::fitRequested, this, &SurfaceCheck::fitCage);
@@ -168,9 +175,8 @@ void SurfaceCheck::leave() {
 
 /// Read errors are reported by the loader.
 void SurfaceCheck::preview() {
-    const Document& document = m_session.document();
-    if (document.dimension() != 3 || document.domain().kind != DomainKind::Surface) return;
-    const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
+    if (m_document.dimension() != 3 || m_document.domain().kind != DomainKind::Surface) return;
+    const std::string path = pathIn(m_document.folder().toStdString(), m_document.domain().path);
     using SkinPtr = std::shared_ptr<const Skin>;
     const auto read = [path]() -> SkinPtr { return std::make_shared<const Skin>(readSkin(path)); };
     m_reading.ask(read, [this](const Answer<SkinPtr>& skin) {
@@ -179,11 +185,10 @@ void SurfaceCheck::preview() {
 }
 
 void SurfaceCheck::look() {
-    const Document& document = m_session.document();
-    const std::string path = pathIn(document.folder().toStdString(), document.domain().path);
+    const std::string path = pathIn(m_document.folder().toStdString(), m_document.domain().path);
     using FoundPtr = std::shared_ptr<const Found>;
-    const int largestHole = document.domain().largestHole;
-    const auto check = [path, largestHole, fixes = document.domain().fixes]() -> FoundPtr {
+    const int largestHole = m_document.domain().largestHole;
+    const auto check = [path, largestHole, fixes = m_document.domain().fixes]() -> FoundPtr {
         auto found = std::make_shared<Found>();
         const auto file = sharedMeshFile(path);
         found->source = {pointsOf(*file), trianglesOf(*file), {}};
@@ -201,19 +206,19 @@ void SurfaceCheck::look() {
 
 /// A cage that was chosen since something is wrong is no reason not to look at it.
 void SurfaceCheck::takeShape() {
-    const auto frame = m_session.motion().frame<3>();
+    const auto frame = m_motion.frame<3>();
     if (!frame) return;
     if (frame->shape == m_shape) return keepPlace();
     m_shape = frame->shape;
     m_isCaged = frame->built->cage.has_value();
     hide();
     if (!m_isCaged && std::exchange(m_goesOn, false) && m_canvas) m_canvas->fit();  // nothing is left
-    if (m_isCaged && m_session.document().domain().fit == Fit::Automatic && m_canvas) look();
+    if (m_isCaged && m_document.domain().fit == Fit::Automatic && m_canvas) look();
 }
 
 /// Computing the same shape keeps the shown fault; moving it does not.
 void SurfaceCheck::keepPlace() {
-    if (m_session.motion().isDragging() || m_session.playback().isPlaying()) m_isPlaceShown = false;
+    if (m_motion.isDragging() || m_playback.isPlaying()) m_isPlaceShown = false;
     if (!m_isPlaceShown) return;
     QMetaObject::invokeMethod(
         this,
@@ -241,7 +246,7 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
         contents.kinds.push_back(
             {names.value(QString::fromStdString(kind.name)), static_cast<int>(kind.cases.size())});
     if (found->problems.flat) contents.more << tr("All points lie in one plane.");
-    const Domain& domain = m_session.document().domain();
+    const Domain& domain = m_document.domain();
     contents.isCaged = m_isCaged;
     contents.largestHole = domain.largestHole;
     const bool goesOn = std::exchange(m_goesOn, false) && !found->faults.empty();
@@ -368,11 +373,10 @@ void SurfaceCheck::showSolid() {
 
 void SurfaceCheck::saveList() {
     if (!m_found) return;
-    const Document& document = m_session.document();
-    const QString base = QFileInfo(document.displayName()).completeBaseName();
+    const QString base = QFileInfo(m_document.displayName()).completeBaseName();
     const QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Save List"), QDir(document.folder()).filePath(base + QStringLiteral("-problems.txt")),
-        tr("Text (*.txt)"));
+        &m_window, tr("Save List"),
+        QDir(m_document.folder()).filePath(base + QStringLiteral("-problems.txt")), tr("Text (*.txt)"));
     if (path.isEmpty()) return;
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly | QIODevice::Text)) return;
@@ -400,10 +404,9 @@ void SurfaceCheck::showRepair(bool shown) {
 }
 
 void SurfaceCheck::fitCage(bool cage) {
-    Document& document = m_session.document();
-    Domain next = document.domain();
+    Domain next = m_document.domain();
     next.fit = cage ? Fit::Cage : Fit::Exact;
-    document.changeDomain(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
+    m_document.changeDomain(cage ? tr("Fit a cage") : tr("Exact surface only"), std::move(next));
 }
 
 // --- Fixes of a surface's faults, computed in the background and previewed ---
@@ -474,8 +477,7 @@ void SurfaceCheck::tellOfFix() {
 /// Applies a fix in one undo step and shows the next fault of the kind.
 void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString& name) {
     if (!m_found || !fix || fix->steps.empty()) return;
-    Document& document = m_session.document();
-    Domain next = document.domain();
+    Domain next = m_document.domain();
     next.fixes = m_found->fixes;
     next.fixes.insert(next.fixes.end(), fix->steps.begin(), fix->steps.end());
     m_goesOn = true;
@@ -484,7 +486,7 @@ void SurfaceCheck::fix(const std::shared_ptr<const FaultFix>& fix, const QString
     m_all = {};
     m_panel.showFix({}, false);  // once only
     m_panel.showFixOfAll({}, false);
-    document.changeDomain(name, std::move(next));
+    m_document.changeDomain(name, std::move(next));
 }
 
 /// Applies the fix of all faults of the kind; if it is still being computed, as soon as it is known.
@@ -496,11 +498,10 @@ void SurfaceCheck::fixAll() {
 }
 
 void SurfaceCheck::repair(int largestHole) {
-    Document& document = m_session.document();
-    Domain next = document.domain();
+    Domain next = m_document.domain();
     next.repair = true;
     next.largestHole = largestHole;
-    document.changeDomain(tr("Repair surface"), std::move(next));
+    m_document.changeDomain(tr("Repair surface"), std::move(next));
 }
 
 /// Previews the repair with another limit.
@@ -535,9 +536,8 @@ std::vector<int> SurfaceCheck::holesIn(const SurfaceProblems& problems) {
 }
 
 void SurfaceCheck::tellOfRepair() {
-    m_panel.tellOfHoles(m_session.document().domain().repair ? std::vector<int>()
-                                                             : holesIn(m_repaired->left));
-    const bool done = m_session.document().domain().repair;
+    m_panel.tellOfHoles(m_document.domain().repair ? std::vector<int>() : holesIn(m_repaired->left));
+    const bool done = m_document.domain().repair;
     m_panel.tellOfRepair(!done && m_repaired->left.boundsVolume(), done ? QString() : repairText());
 }
 

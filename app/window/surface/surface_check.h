@@ -4,13 +4,15 @@
 #include <memory>
 
 #include "app/base/latest.h"
-#include "app/session/shape_session.h"
 #include "app/views/volume/volume_view.h"
 #include "core/meshing/surface_faults.h"
 #include "core/meshing/surface_fixes.h"
 
 namespace wend {
 
+class Document;
+class Playback;
+class ShapeMotion;
 class SolidCanvas;
 class SurfacePanel;
 
@@ -20,7 +22,8 @@ class SurfaceCheck : public QObject {
     Q_OBJECT
 
   public:
-    SurfaceCheck(ShapeSession& session, SurfacePanel& panel, QWidget& window);
+    SurfaceCheck(Document& document, const Playback& playback, const ShapeMotion& motion, SurfacePanel& panel,
+                 QWidget& window);
     void setCanvas(SolidCanvas* canvas) { m_canvas = canvas; }
     void hide();
     /// Returns to the solid when a tool is activated.
@@ -86,7 +89,9 @@ class SurfaceCheck : public QObject {
     static std::vector<int> holesIn(const SurfaceProblems& problems);
     static QString wouldDo(const std::vector<std::pair<QString, int>>& repairs);
 
-    ShapeSession& m_session;
+    Document& m_document;
+    const Playback& m_playback;
+    const ShapeMotion& m_motion;
     SurfacePanel& m_panel;
     QWidget& m_window;
     SolidCanvas* m_canvas = nullptr;

@@ -13,7 +13,7 @@
 #include "app/project/file/project_writer.h"
 #include "app/project/file/text_file.h"
 #include "app/window/actions/actions.h"
-#include "app/window/export/export_form.h"
+#include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/main_window.h"

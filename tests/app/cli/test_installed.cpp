@@ -7,7 +7,7 @@
 
 #include "app/base/program_files.h"
 #include "app/session/opening.h"
-#include "app/window/help/side_windows.h"
+#include "app/window/help/help.h"
 #include "tests/app/cli/cli_harness.h"
 
 using namespace wend;

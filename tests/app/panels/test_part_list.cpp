@@ -27,7 +27,7 @@
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
-#include "app/window/notices/work_note.h"
+#include "app/window/notices/notes.h"
 #include "tests/support/layers.h"
 #include "tests/support/pictures.h"
 #include "tests/support/solid_fixture.h"
@@ -151,7 +151,7 @@ void TestPartList::listChangesParts() {
     QVERIFY(settle(m_f->session()));
     auto* joined = panel().findChild<QComboBox*>("partJoined");
     joined->setCurrentText("board");
-    emit joined->textActivated("board");
+    emit joined->activated(joined->currentIndex());
     QCOMPARE(parts()[2].joints.size(), std::size_t{1});
     const Vec<2> at = parts()[2].joints[0].at;  // where bar and board overlap
     QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);

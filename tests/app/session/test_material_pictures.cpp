@@ -17,7 +17,6 @@
 #include "app/project/project.h"
 #include "app/session/opening.h"
 #include "app/window/export/exporter.h"
-#include "app/window/export/material_actions.h"
 #include "app/window/notices/info_banner.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"

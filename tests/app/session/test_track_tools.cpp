@@ -22,7 +22,6 @@
 #include "app/window/film/key_pose_strip.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "app/window/help/shortcuts.h"
@@ -148,7 +147,7 @@ void TestTrackTools::curveFollowsTheChoice() {
     choose(0, 2, Qt::ShiftModifier);
     choose(1, 1, Qt::ShiftModifier);
     choose(1, 2, Qt::ShiftModifier);
-    QCOMPARE(tracks().easedMotions(), (std::vector<MotionId>{{0, 1}, {1, 0}}));
+    QCOMPARE(tracks().choice().easedMotions(), (std::vector<MotionId>{{0, 1}, {1, 0}}));
     const int steps = undo().count();
     dragHandle(1, 0.2);
     QCOMPARE(undo().count(), steps + 1);
@@ -156,7 +155,7 @@ void TestTrackTools::curveFollowsTheChoice() {
     QVERIFY(std::abs(progress(1, 0).second - (2.0 / 3 + 0.2)) < 0.02);
     QTest::mouseClick(tracks().viewport(), Qt::LeftButton, {},
                       QPoint(tracks().viewport()->width() - 4, tracks().viewport()->height() - 3));
-    QVERIFY(tracks().easedMotions().empty());
+    QVERIFY(tracks().choice().easedMotions().empty());
     QVERIFY(!editor().findChild<QToolButton*>()->isEnabled());
     m_window->window().findChild<Toolbox*>()->setMode(Mode::Pins);  // it goes with the tracks
     QVERIFY(!editor().isVisible());
@@ -171,13 +170,17 @@ void TestTrackTools::curveByKeysAndNumbers() {
     QTest::keyClick(&plot(), Qt::Key_Down, Qt::ShiftModifier);
     QVERIFY(std::abs(progress(0, 1).second - (2.0 / 3 + 0.06 - 0.1)) < 1e-12);
     QCOMPARE(undo().count(), steps + 1);  // they merge
+    choose(1, 1);
+    QTest::keyClick(&plot(), Qt::Key_Up);
+    QCOMPARE(undo().count(), steps + 2);  // another motion
+    choose(0, 1);
     const auto boxes = editor().findChildren<ExactBox*>();
     QCOMPARE(boxes.size(), 2);
     boxes[0]->setValue(250);
     boxes[1]->setValue(-30);
     const Progress typed = progress(0, 1);
     QVERIFY(std::abs(typed.startSpeed() - 2.5) < 1e-12 && std::abs(typed.endSpeed() + 0.3) < 1e-12);
-    QCOMPARE(undo().count(), steps + 2);
+    QCOMPARE(undo().count(), steps + 3);
 }
 
 void TestTrackTools::presetsAndHold() {

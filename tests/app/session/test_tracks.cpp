@@ -22,7 +22,7 @@
 #include "app/session/pins/key_poses.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
-#include "app/window/film/time_scale.h"
+#include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "tests/support/solid_fixture.h"
 
@@ -43,6 +43,7 @@ class TestTracks : public QObject {
     void keysAreCopiedToAnotherPin();
     void keysAreMirrored();
     void mirrorImagesOfPins();
+    void choiceStaysWithItsPins();
     void menuOfAKey();
     void lockedKeysStay();
     void menuOfABarSimplifies();
@@ -268,6 +269,48 @@ void TestTracks::mirrorImagesOfPins() {
     QCOMPARE(images[1].handle, 0);
     QCOMPARE(images[2].handle, 2);
     QVERIFY(images[2].offset == Amount(-5, 6, 0));
+}
+
+/// What is chosen and copied stays with its pin while one before it goes and comes again.
+void TestTracks::choiceStaysWithItsPins() {
+    const auto removePin = [&](int handle) {
+        show(0);  // later, it would only end to hold
+        session().selection().set({handle});
+        session().removeSelected();
+        show(3);
+    };
+    const auto isNudged = [&](int handle, double start, double end) {
+        QTest::keyClick(&tracks(), Qt::Key_Right, Qt::AltModifier);
+        const MotionTime time = timeOf(designOf(project()), handle, 0);
+        return std::abs(time.start - start) < 1e-9 && std::abs(time.end - end) < 1e-9;
+    };
+    const int steps = undo().count();
+    click(1, 2);
+    QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
+    removePin(0);
+    QCOMPARE(designOf(project()).handles.size(), 2U);
+    QVERIFY(isNudged(0, 1, 2.04));
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(keys(0), (std::vector<double>{1, 2.04, 3}));
+    QCOMPARE(motions(1).size(), 0U);
+    undo().setIndex(steps);
+    click(1, 1);
+    removePin(0);
+    undo().undo();
+    QVERIFY(isNudged(1, 1.04, 2));
+    undo().undo();
+    QTest::mouseClick(tracks().viewport(), Qt::LeftButton, {}, tracks().barOf(1, 0).center().toPoint());
+    removePin(0);
+    QVERIFY(isNudged(0, 1.04, 2.04));
+    undo().setIndex(steps);
+    QVERIFY(isNudged(1, 1.04, 2.04));
+    QCOMPARE(keys(0), (std::vector<double>{0, 1, 2}));
+    // Copies of a pin that is gone are for the selected one.
+    removePin(1);
+    session().selection().set({1});
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(keys(1).size(), 2U);
+    QCOMPARE(keys(1)[1], 3.0);
 }
 
 void TestTracks::menuOfAKey() {

@@ -21,6 +21,7 @@
 #include "app/project/project.h"
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
+#include "app/window/actions/bars.h"
 #include "app/window/actions/curve_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
@@ -28,7 +29,6 @@
 #include "app/window/film/time_strip.h"
 #include "app/window/main_window.h"
 #include "app/window/solid_workshop.h"
-#include "app/window/toolbar/rows.h"
 #include "tests/support/window_fixture.h"
 
 using namespace wend;

@@ -12,7 +12,7 @@
 #include "app/project/edits/film_edits.h"
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/export/export_form.h"
+#include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/picture_dialog.h"
 #include "app/window/main_window.h"

@@ -17,7 +17,7 @@
 #include "app/project/project.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/export/export_form.h"
+#include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/picture_dialog.h"
 #include "app/window/export/view_picture.h"

@@ -32,7 +32,7 @@
 #include "app/window/export/exporter.h"
 #include "app/window/main_window.h"
 #include "app/window/notices/info_banner.h"
-#include "app/window/notices/work_note.h"
+#include "app/window/notices/notes.h"
 #include "app/window/solid_workshop.h"
 #include "core/energy/distortion.h"
 #include "core/integration/deformer.h"

@@ -12,7 +12,7 @@
 #include "app/window/actions/actions.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/files/file_workflow.h"
-#include "app/window/help/tutorial.h"
+#include "app/window/help/help.h"
 #include "app/window/main_window.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/layers.h"

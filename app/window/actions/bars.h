@@ -2,9 +2,13 @@
 
 #include <QAction>
 #include <QList>
+#include <QMenu>
+#include <QObject>
 #include <QToolBar>
 #include <QWidget>
+#include <memory>
 
+#include "app/tools/tool.h"
 #include "app/tools/tool_kind.h"
 
 class QToolButton;
@@ -13,10 +17,55 @@ namespace wend {
 
 class Actions;
 class BrushActions;
+class CurveActions;
+class DepthActions;
+class Document;
 class PictureActions;
 class PinActions;
 class SolidActions;
 class Toolbox;
+
+/// The context menu for a pin, a curve or the canvas.
+class ContextMenu : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Offers {
+        const Document& document;
+        Actions& actions;
+        CurveActions& curves;
+        DepthActions& depth;
+        PinActions& pins;
+    };
+    ContextMenu(const Offers& offers, QObject* parent);
+
+  public slots:
+    void popUp(const QPoint& global, wend::MenuPlace place);
+
+  private:
+    void offerPin();
+    void offerCanvas();
+
+    Offers m_offers;
+    std::unique_ptr<QMenu> m_menu;
+};
+
+/// Makes mnemonics of a menu and its submenus unique in any language: an entry whose letter is taken gets
+/// another letter of its text.
+void makeLettersUnique(QMenu& menu);
+
+/// Shows why a menu entry is disabled while the pointer rests on it, because status tips do not cover
+/// disabled entries.
+class MenuReasons : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Watches all menus.
+    explicit MenuReasons(QObject* parent);
+
+  private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+};
 
 /// The row below the menus: files and undo on the left, the steps in the middle, view and export on the
 /// right. In a narrow window first the names of the steps shrink, then buttons disappear that have a menu or

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QDialog>
 #include <QFrame>
+#include <QObject>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -8,7 +10,10 @@
 #include "app/project/project_fwd.h"
 
 class QLabel;
+class QLineEdit;
+class QMainWindow;
 class QPushButton;
+class QTextBrowser;
 
 namespace wend {
 
@@ -16,6 +21,41 @@ class Actions;
 class Document;
 class Playback;
 class Toolbox;
+
+/// The manual, which is within the program: pages with links, back and forth, and a search over all of them.
+class ManualWindow : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit ManualWindow(QWidget* parent);
+    QTextBrowser* pages() const { return m_pages; }
+
+  private:
+    void find();
+
+    QTextBrowser* m_pages;
+    QLineEdit* m_search;
+    QLabel* m_nowhere;
+};
+
+/// Windows beside the main one: manual, keys and their choice, history and licence.
+class SideWindows : public QObject {
+    Q_OBJECT
+
+  public:
+    SideWindows(Document& document, const Actions& actions, Toolbox& tools, QMainWindow& window);
+
+  private:
+    void showManual();
+    void showKeys();
+    void chooseKeys();
+    void showHistory();
+    void showAbout();
+
+    Document& m_document;
+    Toolbox& m_tools;
+    QMainWindow& m_window;
+};
 
 /// A tutorial of five minutes on a sample: a card in a corner of the view gives the next step and advances
 /// when it is done. It ends with its last page, by its button, or when another file is opened.
