@@ -49,7 +49,8 @@ class Screen {
         frame->rest = m_rest;
         frame->pose = kScale * pose;
         frame->distortion = std::make_shared<const Distortion>(std::move(distortion));
-        m_request.range = rangeOf(cellValues(*frame, m_request.measure), m_request.measure);
+        m_request.colours.range =
+            rangeOf(cellValues(*frame, m_request.colours.measure), m_request.colours.measure);
         m_request.frame = std::move(frame);
         if (RenderThread::render(m_request).isNull()) throw std::runtime_error("nothing was drawn");
     }

@@ -312,11 +312,6 @@ void MainWindow::connectView() {
     connectEach(
         this, [this] { m_actions->showMap->setChecked(true); }, distortion, &DistortionPanel::mapChosen,
         distortion, &DistortionPanel::showWorst, distortion, &DistortionPanel::placeWanted);
-    connect(distortion, &DistortionPanel::showWorst, this,
-            [this] { m_solids->isActive() ? m_solids->showWorst() : m_canvas->viewport().showWorst(); });
-    connect(distortion, &DistortionPanel::placeWanted, this, [this](const Vec<3>& at) {
-        m_solids->isActive() ? m_solids->showPlace(at) : m_canvas->showPlace(at);
-    });
     connect(distortion, &DistortionPanel::faultsChanged, this,
             [this, distortion] { m_canvas->setFaults(distortion->watch().faults<2>()); });
     connectViewport(m_canvas->viewport());
@@ -335,6 +330,9 @@ void MainWindow::connectViewport(Viewport& view) {
             [&view](Id layer) { view.set(&Looks::layer, layer); });
     connect(&m_properties->groups(), &GroupList::marked, &view,
             [&view](const GroupMarks& marks) { view.set(&Looks::groups, marks); });
+    const DistortionPanel* distortion = &m_properties->distortion();
+    connect(distortion, &DistortionPanel::showWorst, &view, &Viewport::showWorst);
+    connect(distortion, &DistortionPanel::placeWanted, &view, &Viewport::showPlace);
 }
 
 /// A comparison starts by a tile dragged to the shape, or by the action; hovering a tile previews it.

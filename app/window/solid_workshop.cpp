@@ -166,14 +166,6 @@ void SolidWorkshop::showDomain() {
         m_around.actions.pinTool->setChecked(true);
 }
 
-void SolidWorkshop::showWorst() {
-    if (m_canvas) m_canvas->viewport().showWorst();
-}
-
-void SolidWorkshop::showPlace(const Vec<3>& at) {
-    if (m_canvas) m_canvas->showPlace(at);
-}
-
 void SolidWorkshop::tellFailed(const QString& text) {
     m_around.banner.tell(InfoBanner::Topic::Export, text);
 }

@@ -43,9 +43,6 @@ class SolidWorkshop : public QObject {
     void showDomain();
     /// Returns to the solid after a change of tool or step.
     void takeUpTool();
-    /// Turns the view to the place that changed most, or to a given one.
-    void showWorst();
-    void showPlace(const Vec<3>& at);
     /// Asks for size and name and writes the view as a picture.
     void exportView();
     /// Does the same for a film of the motion.

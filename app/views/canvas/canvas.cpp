@@ -169,14 +169,10 @@ void ShapeCanvas::showView() {
     emit viewChanged();
 }
 
-void ShapeCanvas::zoomTo(double zoom) {
+void ShapeCanvas::zoomTo(double zoom, const QPointF& at) {
     m_fitted = Fitted::No;
-    m_view.setZoom(zoom, rect().center());
+    m_view.setZoom(zoom, at);
     showView();
-}
-
-void ShapeCanvas::zoomBy(double factor) {
-    zoomTo(m_view.zoom() * factor);
 }
 
 void ShapeCanvas::showPlace(const Vec3& at) {
@@ -224,9 +220,7 @@ QString ShapeCanvas::pointerText(const QPointF& at) {
 void ShapeCanvas::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
-    m_fitted = Fitted::No;
-    m_view.setZoom(m_view.zoom() * std::pow(1.2, steps), event->position());
-    showView();
+    zoomTo(m_view.zoom() * std::pow(1.2, steps), event->position());
     event->accept();
 }
 

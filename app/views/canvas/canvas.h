@@ -58,8 +58,8 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
     /// Fits the view to the shape, and again whenever the window's size changes, until the user moves the
     /// view.
     void fit() { fitTo(Fitted::Pose); }
-    void zoomTo(double zoom);
-    void zoomBy(double factor);
+    void zoomTo(double zoom) { zoomTo(zoom, rect().center()); }
+    void zoomBy(double factor) { zoomTo(m_view.zoom() * factor); }
     /// Sets the faults that the map marks, for the session's frame; null for none.
     void setFaults(const std::shared_ptr<const wend::PoseFaults<2>>& faults);
 
@@ -76,6 +76,7 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
     void takeOpened();
     void fitTo(Fitted what);
     void fitView();
+    void zoomTo(double zoom, const QPointF& at);
     void takeFrame();
     QRectF frameRect() const;
     QRectF fittedRect() const;

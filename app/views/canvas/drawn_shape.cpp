@@ -44,12 +44,10 @@ DrawnShape::DrawnShape(const Viewport& viewport, const ViewTransform& view)
 
 void DrawnShape::takeOpened() {
     m_refine.stop();  // it would draw the new document without its picture
-    m_picture.reset();
-    m_flat.reset();
-    m_unbent.reset();
-    m_source.reset();
-    m_pictureOf.reset();
-    m_drawn.reset();
+    m_picture = m_flat = nullptr;
+    m_source = m_pictureOf = nullptr;
+    m_unbent = nullptr;
+    m_drawn = nullptr;
     const auto& picture = session().document().picture();
     if (!picture) return;
     m_unbent = unbent(*picture);
@@ -158,12 +156,9 @@ RenderRequest DrawnShape::request(Filter filter) const {
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (looks.mesh || !m_picture) && !looks.hidden;
     request.map = isShape && m_viewport.showsMap();
-    request.measure = looks.colours.measure;
-    request.range = looks.colours.range;
-    request.opacity = looks.colours.opacity;
-    request.smooth = looks.colours.smooth;
-    if (request.map) request.plain = plainValue(session().motion(), request.measure);
-    if (request.map) request.velocity = fieldOf(session().motion(), request.measure);
+    request.colours = looks.colours;
+    if (request.map) request.plain = plainValue(session().motion(), looks.colours.measure);
+    if (request.map) request.velocity = fieldOf(session().motion(), looks.colours.measure);
     const Theme theme = m_viewport.theme();
     request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.ground = !m_picture                 ? theme.workspace

@@ -60,9 +60,10 @@ QTransform toPixels(const RenderRequest& request) {
 
 int alphaAt(const RenderRequest& request, double position) {
     if (!request.picture) return 255;
-    if (!request.plain) return static_cast<int>(std::lround(255 * request.opacity));
-    const double part = paintedPart(position, positionIn(request.range, request.measure, *request.plain));
-    return static_cast<int>(std::lround(255 * paintOpacity(request.opacity) * part));
+    if (!request.plain) return static_cast<int>(std::lround(255 * request.colours.opacity));
+    const double part =
+        paintedPart(position, positionIn(request.colours.range, request.colours.measure, *request.plain));
+    return static_cast<int>(std::lround(255 * paintOpacity(request.colours.opacity) * part));
 }
 
 /// Fills paint with soft edges: corners have the mean colour of their cells, except at sharp edges.
@@ -87,9 +88,9 @@ void fillPaint(CellFiller& filler, const PosedFrame<2>& frame, const std::vector
 void fillSmoothly(CellFiller& filler, const RenderRequest& request, const std::vector<int>& order,
                   const std::vector<double>& ofCells) {
     const PosedFrame<2>& frame = *request.frame;
-    const auto places = smoothPlaces(frame, ofCells, request.measure, request.range);
-    const int alpha = request.picture ? static_cast<int>(std::lround(255 * request.opacity)) : 255;
-    std::vector<QRgb> ramp = colourRamp(request.measure);
+    const auto places = smoothPlaces(frame, ofCells, request.colours.measure, request.colours.range);
+    const int alpha = request.picture ? static_cast<int>(std::lround(255 * request.colours.opacity)) : 255;
+    std::vector<QRgb> ramp = colourRamp(request.colours.measure);
     for (QRgb& colour : ramp)
         colour = qPremultiply(qRgba(qRed(colour), qGreen(colour), qBlue(colour), alpha));
     for (const int index : order) {
@@ -112,10 +113,10 @@ void takeColours(QImage& image) {
 void fillCells(QImage& image, const RenderRequest& request) {
     const PosedFrame<2>& frame = *request.frame;
     const auto values =
-        request.map ? cellValues(frame, request.measure, request.velocity) : std::vector<double>();
+        request.map ? cellValues(frame, request.colours.measure, request.velocity) : std::vector<double>();
     const auto colourOf = [&](std::size_t c) {
-        const double position = positionIn(request.range, request.measure, values[c]);
-        const QRgb colour = colourAt(request.measure, position);
+        const double position = positionIn(request.colours.range, request.colours.measure, values[c]);
+        const QRgb colour = colourAt(request.colours.measure, position);
         return qRgba(qRed(colour), qGreen(colour), qBlue(colour), alphaAt(request, position));
     };
     image.convertTo(QImage::Format_ARGB32_Premultiplied);
@@ -123,9 +124,9 @@ void fillCells(QImage& image, const RenderRequest& request) {
     const auto plan = request.cellPlan ? request.cellPlan
                                        : std::make_shared<PaintingPlan>(*frame.rest, std::vector<float>());
     CellFiller filler(image.size(), *plan, frame.pose, toPixels(request));
-    if (request.map && isPainted(request.measure)) {
+    if (request.map && isPainted(request.colours.measure)) {
         fillPaint(filler, frame, plan->order, values, colourOf);
-    } else if (request.map && request.smooth) {
+    } else if (request.map && request.colours.smooth) {
         fillSmoothly(filler, request, plan->order, values);
     } else {
         for (const int cell : plan->order) {

@@ -10,10 +10,10 @@
 #include "app/base/hand_over.h"
 #include "app/engine/motion/frame.h"
 #include "app/engine/shape/shape.h"
-#include "app/style/colour_map.h"
 #include "app/views/canvas/moving_shape.h"
 #include "app/views/canvas/screen_picture.h"
 #include "app/views/canvas/view_transform.h"
+#include "app/views/shape/looks.h"
 #include "warp/coverage.h"
 #include "warp/sampling.h"
 
@@ -38,13 +38,10 @@ struct RenderRequest {
     bool cutOut = false;        // the outline is that of the picture: a map covers what the picture shows
     bool mesh = false;
     bool map = false;
-    Measure measure = Measure::Length;
-    MeasureRange range;
-    bool smooth = false;           // the map, without the edges of its cells
-    double opacity = kMapOpacity;  // of the map over a picture
-    Eigen::MatrixXd velocity;      // of the vertices, for the map of their speed; or none
-    std::optional<double> plain;   // of the map: where it has this value the picture is not coloured
-    QColor fill, line;             // of the mesh and, without a picture, of the shape
+    MapLook colours;
+    Eigen::MatrixXd velocity;     // of the vertices, for the map of their speed; or none
+    std::optional<double> plain;  // of the map: where it has this value the picture is not coloured
+    QColor fill, line;            // of the mesh and, without a picture, of the shape
     QColor lightLine = QColor(236, 238, 244);  // mesh lines over dark places …
     QColor ground = Qt::white;                 // … including this background below transparent places
 

@@ -130,9 +130,12 @@ void Viewport::paintPins(ShapePainter& painter) const {
 
 void Viewport::showWorst() {
     const FramePtr frame = m_shape.session().motion().frame();
-    if (!frame || frame->dimension != m_shape.dimension()) return;
-    const int cell = worstOf(*frame->distortion, m_looks.colours.measure).cell;
-    if (cell >= 0) m_view.showPlace(frame->centreOf(cell));
+    const int cell = frame ? worstOf(*frame->distortion, m_looks.colours.measure).cell : -1;
+    if (cell >= 0) showPlace(frame->centreOf(cell));
+}
+
+void Viewport::showPlace(const Vec3& at) {
+    if (m_shape.session().document().dimension() == m_shape.dimension()) m_view.showPlace(at);
 }
 
 // --- Pointer and key events on a shape ---

@@ -76,8 +76,9 @@ class Viewport : public QObject {
     void showLegendLock();
     /// Paints the groups, paths and pins, which are hidden during playback.
     void paintPins(ShapePainter& painter) const;
-    /// Brings the worst place of the map's measure into the middle.
+    /// Brings the worst place of the map's measure, or a place of a shape of this dimension, into the middle.
     void showWorst();
+    void showPlace(const Vec3& at);
     /// Returns the view as tools see it, and its widget.
     ShapeView& shape() const { return m_shape; }
     QWidget& widget() const { return m_widget; }

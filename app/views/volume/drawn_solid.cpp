@@ -20,21 +20,6 @@ bool isSame(const Points<3>& a, const Points<3>& b) {
     return a.cols() == b.cols() && a == b;
 }
 
-/// Returns the nearest skin point of each vertex on the solid's border at rest; −1 for inner vertices.
-std::vector<int> nearestSkinPoints(const Skin& skin, const Points<3>& rest,
-                                   const std::vector<Facet<3>>& border) {
-    std::vector<int> nearest(static_cast<std::size_t>(rest.cols()), -1);
-    const std::vector<Cell<3>> none;
-    const PointLocator<3> search(skin.points, none);
-    for (const Facet<3>& facet : border) {
-        if (facet.interior()) continue;
-        for (const int v : facet.vertices)
-            if (int& found = nearest[static_cast<std::size_t>(v)]; found < 0)
-                found = search.nearestVertex(rest.col(v));
-    }
-    return nearest;
-}
-
 /// Adds the nearest corner of the triangle.
 SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
                   const TriangleTree::Hit& hit) {
@@ -68,12 +53,7 @@ std::pair<double, double> leftOf(const Ray& ray, const std::optional<CutPlane>& 
 
 // --- Rays ---
 
-void RayCasting::takeSurface(CutSurface surface) {
-    m_surface = std::move(surface);
-    m_surfaceStale = true;
-}
-
-const TriangleTree& RayCasting::tree(const Points<3>& pose) {
+SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
     if (m_surfaceStale) {
         m_points.emplace(m_surface);
         m_tree = TriangleTree(m_points->at(pose), std::move(m_points->triangles));
@@ -81,11 +61,7 @@ const TriangleTree& RayCasting::tree(const Points<3>& pose) {
         m_tree.refit(m_points->at(pose));
     }
     m_surfaceStale = m_poseStale = false;
-    return m_tree;
-}
-
-SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
-    const TriangleTree::Hit hit = tree(pose).firstHit(ray.origin, ray.direction);
+    const TriangleTree::Hit hit = m_tree.firstHit(ray.origin, ray.direction);
     m_visited = hit.visited;
     return solidHit(m_surface, pose, ray, hit);
 }
@@ -230,10 +206,20 @@ const Points<3>& DrawnSolid::skinPose() const {
     return *m_ridden;
 }
 
-/// Returns the points of the embedded surface that are nearest to the vertices, cached per surface.
+/// Returns the nearest point of the embedded surface to each vertex on the solid's border at rest; −1 for
+/// inner vertices. Cached per surface.
 const std::vector<int>& DrawnSolid::skinPoints() const {
-    if (std::exchange(m_nearestOf, m_picture.skin) != m_picture.skin)
-        m_nearest = nearestSkinPoints(*m_picture.skin, m_picture.rest->points, *m_picture.facets);
+    if (std::exchange(m_nearestOf, m_picture.skin) == m_picture.skin) return m_nearest;
+    const Points<3>& rest = m_picture.rest->points;
+    const std::vector<Cell<3>> none;
+    const PointLocator<3> search(m_picture.skin->points, none);
+    m_nearest.assign(static_cast<std::size_t>(rest.cols()), -1);
+    for (const Facet<3>& facet : *m_picture.facets) {
+        if (facet.interior()) continue;
+        for (const int v : facet.vertices)
+            if (int& found = m_nearest[static_cast<std::size_t>(v)]; found < 0)
+                found = search.nearestVertex(rest.col(v));
+    }
     return m_nearest;
 }
 

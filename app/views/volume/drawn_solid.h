@@ -70,7 +70,10 @@ std::vector<QImage> texturesOf(const Skin* skin, QStringList* unread = nullptr);
 /// for the first ray after a change of the pose.
 class RayCasting {
   public:
-    void takeSurface(CutSurface surface);
+    void takeSurface(CutSurface surface) {
+        m_surface = std::move(surface);
+        m_surfaceStale = true;
+    }
     void takePose() { m_poseStale = true; }
     /// Returns the nearest triangle that the ray hits; cell −1 if there is none.
     SolidHit hit(const Ray& ray, const Points<3>& pose);
@@ -78,8 +81,6 @@ class RayCasting {
     int visited() const { return m_visited; }
 
   private:
-    const TriangleTree& tree(const Points<3>& pose);
-
     CutSurface m_surface;
     std::optional<CutPoints> m_points;
     TriangleTree m_tree;

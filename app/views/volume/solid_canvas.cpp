@@ -217,8 +217,8 @@ Points<3> SolidCanvas::fitted() const {
     const std::vector<Vec<3>> marked = pathPoints(m_session);
     Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
     all.leftCols(drawn.cols()) = drawn;
-    for (std::size_t i = 0; i < marked.size(); ++i)
-        all.col(drawn.cols() + static_cast<Eigen::Index>(i)) = marked[i];
+    Eigen::Index next = drawn.cols();
+    for (const Vec<3>& p : marked) all.col(next++) = p;
     return all;
 }
 
@@ -302,10 +302,6 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 // --- The interface of a solid's view for tools ---
-
-Ray SolidCanvas::ray(const QPointF& widget) const {
-    return camera().ray({widget.x(), widget.y()}, size());
-}
 
 QPointF SolidCanvas::onScreen(const Vec<3>& p) const {
     const Vec<3> screen = camera().project(p, size());

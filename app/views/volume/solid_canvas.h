@@ -60,7 +60,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
 
     // SolidShapeView
     ShapeSession& session() override { return m_session; }
-    Ray ray(const QPointF& widget) const override;
+    Ray ray(const QPointF& widget) const override { return camera().ray({widget.x(), widget.y()}, size()); }
     QPointF onScreen(const Vec3& p) const override;
     double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
     Vec<3> viewDirection() const override { return camera().direction(); }

@@ -46,6 +46,12 @@ const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): no address
 }
 
+template <class T>
+void allocate(QOpenGLBuffer& buffer, const std::vector<T>& values) {
+    buffer.bind();
+    buffer.allocate(values.data(), static_cast<int>(values.size() * sizeof(T)));
+}
+
 constexpr std::array<GLenum, 3> kVeils{GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL};
 constexpr double kStripes = 8;   // pixels of the view
 constexpr GLuint kDrawn = 0x80;  // in the stencil: a pixel that is done
@@ -89,9 +95,7 @@ bool SurfaceRenderer::initialize() {
 void SurfaceRenderer::create(Triangles& triangles) {
     triangles.array.create();
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    for (QOpenGLBuffer* buffer :
-         {&triangles.vertices, &triangles.uv, &triangles.tints, &triangles.places, &triangles.indices})
-        buffer->create();
+    for (QOpenGLBuffer* buffer : triangles.buffers()) buffer->create();
     triangles.vertices.setUsagePattern(QOpenGLBuffer::DynamicDraw);
     triangles.indices.bind();
     triangles.vertices.bind();
@@ -128,11 +132,7 @@ void SurfaceRenderer::release() {
     std::vector<Triangles*> all{&m_layers[Outer], &m_layers[Section], &m_glyphs, &m_veiled};
     for (Triangles& kind : m_marked) all.push_back(&kind);
     for (Triangles* triangles : all) {
-        triangles->vertices.destroy();
-        triangles->uv.destroy();
-        triangles->tints.destroy();
-        triangles->places.destroy();
-        triangles->indices.destroy();
+        for (QOpenGLBuffer* buffer : triangles->buffers()) buffer->destroy();
         triangles->colours.reset();
         triangles->map.reset();
         triangles->array.destroy();
@@ -146,30 +146,24 @@ void SurfaceRenderer::release() {
     m_edged.reset();
 }
 
+template <class T>
+bool SurfaceRenderer::setOptional(GLuint location, QOpenGLBuffer& buffer, const std::vector<T>& values) {
+    if (values.empty())
+        m_gl->glDisableVertexAttribArray(location);
+    else
+        m_gl->glEnableVertexAttribArray(location);
+    if (!values.empty()) allocate(buffer, values);
+    return !values.empty();
+}
+
 void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
     Triangles& triangles = m_layers[layer];
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
     triangles.count = static_cast<int>(mesh.corners.size());
     triangles.parts = mesh.parts;
-    triangles.indices.bind();
-    triangles.indices.allocate(mesh.corners.data(),
-                               triangles.count * static_cast<int>(sizeof(mesh.corners[0])));
-    triangles.isTinted = !mesh.tints.empty();
-    if (triangles.isTinted) {
-        m_gl->glEnableVertexAttribArray(3);
-        triangles.tints.bind();
-        triangles.tints.allocate(mesh.tints.data(),
-                                 static_cast<int>(mesh.tints.size() * sizeof(mesh.tints[0])));
-    } else {
-        m_gl->glDisableVertexAttribArray(3);
-    }
-    if (mesh.uv.empty()) {
-        m_gl->glDisableVertexAttribArray(2);
-        return;
-    }
-    m_gl->glEnableVertexAttribArray(2);
-    triangles.uv.bind();
-    triangles.uv.allocate(mesh.uv.data(), static_cast<int>(mesh.uv.size() * sizeof(mesh.uv[0])));
+    allocate(triangles.indices, mesh.corners);
+    triangles.isTinted = setOptional(3, triangles.tints, mesh.tints);
+    setOptional(2, triangles.uv, mesh.uv);
 }
 
 void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals) {
@@ -191,29 +185,13 @@ void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>
         corners[i].position = {p.x(), p.y(), p.z()};
         if (withNormals) corners[i].normal = {normals[normal].x(), normals[normal].y(), normals[normal].z()};
     }
-    m_layers[layer].vertices.bind();
-    m_layers[layer].vertices.allocate(corners.data(), static_cast<int>(corners.size() * sizeof(Corner)));
-}
-
-void SurfaceRenderer::setColours(Layer layer, const std::vector<QRgb>& colours) {
-    fill(m_layers[layer].colours, colours);
-}
-
-void SurfaceRenderer::setMap(Layer layer, const std::vector<QRgb>& colours) {
-    fill(m_layers[layer].map, colours);
+    allocate(m_layers[layer].vertices, corners);
 }
 
 void SurfaceRenderer::setPlaces(Layer layer, const std::vector<Place>& places) {
     Triangles& triangles = m_layers[layer];
     const QOpenGLVertexArrayObject::Binder binder(&triangles.array);
-    triangles.isSmooth = !places.empty();
-    if (!triangles.isSmooth) {
-        m_gl->glDisableVertexAttribArray(4);
-        return;
-    }
-    m_gl->glEnableVertexAttribArray(4);
-    triangles.places.bind();
-    triangles.places.allocate(places.data(), static_cast<int>(places.size() * sizeof(places[0])));
+    triangles.isSmooth = setOptional(4, triangles.places, places);
 }
 
 void SurfaceRenderer::setRamp(const std::vector<QRgb>& colours) {
@@ -233,14 +211,6 @@ std::vector<std::array<float, 3>> SurfaceRenderer::placesOf(const Points<3>& poi
         places.push_back({p.x(), p.y(), p.z()});
     }
     return places;
-}
-
-void SurfaceRenderer::setOutline(const Points<3>& ends) {
-    m_outline.set(placesOf(ends));
-}
-
-void SurfaceRenderer::setRim(const Points<3>& ends) {
-    m_rim.set(placesOf(ends));
 }
 
 void SurfaceRenderer::fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours) {
@@ -388,14 +358,6 @@ void SurfaceRenderer::draw(const Sight& sight, const SurfaceStyle& style, bool m
 
 // --- Additional and see-through triangles ---
 
-void SurfaceRenderer::setGlyphs(const std::vector<DrawVertex>& triangles) {
-    fillGlyphs(m_glyphs, triangles);
-}
-
-void SurfaceRenderer::setVeiled(const std::vector<DrawVertex>& triangles) {
-    fillGlyphs(m_veiled, triangles);
-}
-
 void SurfaceRenderer::setMarked(const std::vector<std::vector<DrawVertex>>& kinds) {
     for (std::size_t k = 0; k < m_marked.size(); ++k)
         fillGlyphs(m_marked[k], k < kinds.size() ? kinds[k] : std::vector<DrawVertex>());
@@ -409,8 +371,7 @@ void SurfaceRenderer::fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex
         const Eigen::Vector3f p = normalized(Vec<3>(x, y, z));
         vertex.position = {p.x(), p.y(), p.z()};
     }
-    glyphs.vertices.bind();
-    glyphs.vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(DrawVertex)));
+    allocate(glyphs.vertices, vertices);
 }
 
 void SurfaceRenderer::drawGlyphs(Triangles& glyphs, QOpenGLShaderProgram& program) {

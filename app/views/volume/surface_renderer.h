@@ -73,9 +73,9 @@ class SurfaceRenderer {
     /// Positions of the mesh's points; also normals, unless all faces are flat.
     void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
     /// Sets one colour per triangle.
-    void setColours(Layer layer, const std::vector<QRgb>& colours);
+    void setColours(Layer layer, const std::vector<QRgb>& colours) { fill(m_layers[layer].colours, colours); }
     /// Sets map colours over the layer, one per triangle, drawn with the opacity in `style`.
-    void setMap(Layer layer, const std::vector<QRgb>& colours);
+    void setMap(Layer layer, const std::vector<QRgb>& colours) { fill(m_layers[layer].map, colours); }
     /// Sets the opacity of paint over the colours; 0 for none. Its own opacity is that of the places or, if
     /// it is not 0, of the triangle in the map.
     void setPaint(double opacity) { m_paint = opacity; }
@@ -88,13 +88,13 @@ class SurfaceRenderer {
     /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Sets lines around the section, by both ends of each.
-    void setOutline(const Points<3>& ends);
+    void setOutline(const Points<3>& ends) { m_outline.set(placesOf(ends)); }
     /// Sets the edges of the rim, by both ends of each.
-    void setRim(const Points<3>& ends);
+    void setRim(const Points<3>& ends) { m_rim.set(placesOf(ends)); }
     /// Sets additional triangles: arrows, ellipsoids.
-    void setGlyphs(const std::vector<DrawVertex>& triangles);
+    void setGlyphs(const std::vector<DrawVertex>& triangles) { fillGlyphs(m_glyphs, triangles); }
     /// Sets triangles that are visible through the surface, faintly, only where they are covered.
-    void setVeiled(const std::vector<DrawVertex>& triangles);
+    void setVeiled(const std::vector<DrawVertex>& triangles) { fillGlyphs(m_veiled, triangles); }
     /// Sets marked triangles of the surface, which are visible through it, in several kinds. Overlapping
     /// kinds are drawn in stripes, so that colours do not mix.
     void setMarked(const std::vector<std::vector<DrawVertex>>& kinds);
@@ -112,6 +112,8 @@ class SurfaceRenderer {
         std::vector<DrawMesh::Part> parts;
         int count = 0;
         bool isSmooth = false, isTinted = false;
+
+        std::array<QOpenGLBuffer*, 5> buffers() { return {&vertices, &uv, &tints, &places, &indices}; }
     };
     struct Corner {
         std::array<float, 3> position, normal;
@@ -119,6 +121,9 @@ class SurfaceRenderer {
     bool link(QOpenGLShaderProgram& program, bool edges);
     void create(Triangles& triangles);
     static void fill(std::unique_ptr<QOpenGLTexture>& texture, const std::vector<QRgb>& colours);
+    /// Sets values of vertices in the bound array. Returns false if there are none.
+    template <class T>
+    bool setOptional(GLuint location, QOpenGLBuffer& buffer, const std::vector<T>& values);
     void createGlyphs(Triangles& glyphs);
     void fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles);
     std::vector<std::array<float, 3>> placesOf(const Points<3>& points) const;

@@ -98,16 +98,6 @@ void VolumeView::setPicture(VolumePicture picture, bool fitView) {
     if (fitView) fit();
 }
 
-void VolumeView::setStyle(const SurfaceStyle& style) {
-    m_solid.setStyle(style);
-    update();
-}
-
-void VolumeView::setCut(CutKind kind, const CutPlane& plane) {
-    m_solid.setCut(kind, plane);
-    update();
-}
-
 void VolumeView::setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled) {
     if (m_solid.setGlyphs(std::move(triangles), std::move(veiled))) update();
 }
@@ -117,11 +107,6 @@ void VolumeView::fit() {
     if (pose.cols() == 0) return;
     m_camera.fit(fitted(), size());
     m_camera.setPivot((pose.rowwise().minCoeff() + pose.rowwise().maxCoeff()) / 2);
-    emit cameraChanged();
-}
-
-void VolumeView::setCamera(const Camera& camera) {
-    m_camera = camera;
     emit cameraChanged();
 }
 
@@ -242,10 +227,6 @@ void VolumeView::paintGL() {
     if (m_solid.isSoftware()) context()->functions()->glFinish();
     m_times.draw = static_cast<double>(clock.nsecsElapsed()) * 1e-6 - m_times.prepare;
     if (now.coarse) m_isSlow = m_times.draw > (m_isSlow ? kQuickEnough : kSlow);
-}
-
-void VolumeView::mousePressEvent(QMouseEvent* event) {
-    m_navigation.press(*event);
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {

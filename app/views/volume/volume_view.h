@@ -28,11 +28,11 @@ class VolumeView : public QOpenGLWidget {
     /// Returns what is drawn.
     const DrawnSolid& solid() const { return m_solid; }
     void setPicture(VolumePicture picture, bool fitView);
-    void setStyle(const SurfaceStyle& style);
-    void setCut(CutKind kind, const CutPlane& plane);
+    void setStyle(const SurfaceStyle& style) { m_solid.setStyle(style), update(); }
+    void setCut(CutKind kind, const CutPlane& plane) { m_solid.setCut(kind, plane), update(); }
     Camera& camera() { return m_camera; }
     const Camera& camera() const { return m_camera; }
-    void setCamera(const Camera& camera);
+    void setCamera(const Camera& camera) { m_camera = camera, emit cameraChanged(); }
     Navigation& navigation() { return m_navigation; }
     const Navigation& navigation() const { return m_navigation; }
     void setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled = {});
@@ -79,7 +79,7 @@ class VolumeView : public QOpenGLWidget {
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
-    void mousePressEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override { m_navigation.press(*event); }
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;

@@ -189,7 +189,7 @@ void TestOnShape::rimOfAPhotographIsItsOwn() {
     request.allOfPicture = beside;
     const QImage plain = RenderThread::render(request);
     request.map = true;
-    request.smooth = smooth;
+    request.colours.smooth = smooth;
     const QImage mapped = RenderThread::render(request);
     QVERIFY2(alphaOff(plain, mapped) <= 2, qPrintable(QString::number(alphaOff(plain, mapped))));
     // One colour, as far as it is opaque: no pixel of the rim is without the map.

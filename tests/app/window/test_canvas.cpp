@@ -332,8 +332,8 @@ void TestCanvas::smoothMapGoesByMeans() {
     request.view = m_canvas->view();
     request.view.setZoom(8, m_canvas->toWidget({150, 60}));
     request.size = QSize(2000, 1400);
-    request.map = request.smooth = true;
-    request.range = {0, 0.4};
+    request.map = request.colours.smooth = true;
+    request.colours.range = {0, 0.4};
     const QImage image = RenderThread::render(request);
     const SimplicialMesh<2>& rest = *frame->rest;
     std::vector<double> sums(rest.vertexCount(), 0), areas(rest.vertexCount(), 0);
