@@ -112,7 +112,7 @@ Movement<Dim>& Movement<Dim>::translate(const Coordinates<Dim>& by, const TimeWi
 template <int Dim>
 Movement<Dim>& Movement<Dim>::rotate(const Coordinates<2>& centre, double angle,
                                      const TimeWindow& when) requires(Dim == 2) {
-    m_data->add(Rotate<2>{vecOf<2>(centre), Vec<2>::Zero(), angle}, when);
+    m_data->add(Rotate<2>{vecOf<2>(centre), Vec2::Zero(), angle}, when);
     return *this;
 }
 template <int Dim>

@@ -18,7 +18,7 @@ Rotate<Dim> halfTurn(double length, double width) {
         turn.centre = {length / 2, width / 2 + length / std::numbers::pi};
     } else {
         turn.centre = {length, width / 2, width / 2};
-        turn.axis = Vec<3>::UnitX();
+        turn.axis = Vec3::UnitX();
     }
     return turn;
 }
@@ -33,16 +33,16 @@ HalfSpace<Dim> end(double x, double side) {
 
 }  // namespace
 
-SimplicialMesh<2> meshBox(const Vec<2>& size, int vertices) {
+SimplicialMesh<2> meshBox(const Vec2& size, int vertices) {
     PlanarMeshOptions options;
     options.vertices = vertices;
     return meshOutline(Outline{{{{0, 0}, {size.x(), 0}, {size.x(), size.y()}, {0, size.y()}}}}, options);
 }
 
-SimplicialMesh<3> meshBox(const Vec<3>& size, int vertices) {
+SimplicialMesh<3> meshBox(const Vec3& size, int vertices) {
     Surface box;
     box.points.resize(3, 8);
-    for (int i = 0; i < 8; ++i) box.points.col(i) = size.cwiseProduct(Vec<3>(i & 1, (i >> 1) & 1, i >> 2));
+    for (int i = 0; i < 8; ++i) box.points.col(i) = size.cwiseProduct(Vec3(i & 1, (i >> 1) & 1, i >> 2));
     box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     VolumeMeshOptions options;
@@ -81,7 +81,7 @@ BodyRows<Dim> startRows(const Body<Dim>& body) {
         const Vec<Dim> arm = p - body.centre;
         Vec<Dim> velocity = Vec<Dim>::Zero();
         // The turn is in the plane of the last two axes: xy in 2D, yz in 3D.
-        if (p.x() > 1e-9) velocity.template tail<2>() = Vec<2>(-arm[Dim - 1], arm[Dim - 2]);
+        if (p.x() > 1e-9) velocity.template tail<2>() = Vec2(-arm[Dim - 1], arm[Dim - 2]);
         velocities.push_back(std::numbers::pi * velocity);
     }
     result.velocities.resize(Dim, static_cast<Eigen::Index>(velocities.size()));

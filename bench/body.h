@@ -10,8 +10,8 @@
 namespace wend {
 
 /// A box with one corner at 0, meshed by the program's own meshers to about so many vertices.
-SimplicialMesh<2> meshBox(const Vec<2>& size, int vertices);
-SimplicialMesh<3> meshBox(const Vec<3>& size, int vertices);
+SimplicialMesh<2> meshBox(const Vec2& size, int vertices);
+SimplicialMesh<3> meshBox(const Vec3& size, int vertices);
 
 /// The body that the benchmark bends: a strip of 4 : 1 in the plane, or a bar of 4 : 1 : 1 in space, meshed
 /// by the program's own meshers to about so many vertices, with diagonal 1. The left end is held; the right

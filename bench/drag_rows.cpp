@@ -20,7 +20,7 @@ constexpr int kFrames = 60;
 constexpr int kWindowWidth = 1280, kWindowHeight = 800;
 
 /// Returns the place of the hand after i samples, relative to the start, in diagonals.
-Vec<2> handAt(int i) {
+Vec2 handAt(int i) {
     const double jitter = i % 3 == 0 ? 0.001 : 0;
     return {-0.15 * std::pow(i / 60.0, 2), 0.3 * std::sin(0.03 * i) + jitter};
 }
@@ -44,7 +44,7 @@ class Screen {
         m_request.view.pan(QPointF(0.1 * kWindowWidth, 0.3 * kWindowHeight));
         m_request.map = true;
     }
-    void draw(const Points<2>& pose, Distortion distortion) {
+    void draw(const Points2& pose, Distortion distortion) {
         auto frame = std::make_shared<PosedFrame<2>>();
         frame->rest = m_rest;
         frame->pose = kScale * pose;

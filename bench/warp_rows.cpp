@@ -16,14 +16,14 @@ namespace {
 constexpr int kWidth = 6000, kHeight = 4000;
 
 /// Turns by 20° about the middle and adds a wave: stretches are between 0.7 and 1.4.
-Points<2> bent(const Points<2>& rest) {
-    const Vec<2> middle(kWidth / 2.0, kHeight / 2.0);
+Points2 bent(const Points2& rest) {
+    const Vec2 middle(kWidth / 2.0, kHeight / 2.0);
     const double c = std::cos(0.35), s = std::sin(0.35);
-    Points<2> pose = rest;
+    Points2 pose = rest;
     for (Eigen::Index i = 0; i < rest.cols(); ++i) {
-        const Vec<2> p = rest.col(i) - middle;
-        const Vec<2> q(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-        pose.col(i) = middle + 0.8 * q + Vec<2>(200 * std::sin(q.y() / 800), 200 * std::sin(q.x() / 1000));
+        const Vec2 p = rest.col(i) - middle;
+        const Vec2 q(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+        pose.col(i) = middle + 0.8 * q + Vec2(200 * std::sin(q.y() / 800), 200 * std::sin(q.x() / 1000));
     }
     return pose;
 }
@@ -65,8 +65,8 @@ void addWarpRows(BenchRecorder& recorder) {
     options.vertices = 5000;
     const SimplicialMesh<2> rest =
         meshOutline(Outline{{{{0, 0}, {kWidth, 0}, {kWidth, kHeight}, {0, kHeight}}}}, options);
-    const Points<2> pose = bent(rest.points);
-    const View view{kWidth, kHeight, Vec<2>::Zero(), 1};
+    const Points2 pose = bent(rest.points);
+    const View view{kWidth, kHeight, Vec2::Zero(), 1};
     const Depth depths[] = {
         {"", PixelType::UInt8, {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}},
         {", 16 bit", PixelType::UInt16, {Filter::Bilinear, Filter::Ewa}},

@@ -102,7 +102,7 @@ OpenedFile fileOfParts(int vertices, const OwnSettings& settings) {
     auto project = newProject();
     Domain& domain = domainOf(*project);
     domain.vertices = vertices;
-    const auto add = [&](const std::string& name, int width, int height, const Vec<2>& at) -> PicturePart& {
+    const auto add = [&](const std::string& name, int width, int height, const Vec2& at) -> PicturePart& {
         PicturePart part;
         part.name = name;
         part.path = settings.file((name + ".png").c_str()).toStdString();
@@ -114,9 +114,9 @@ OpenedFile fileOfParts(int vertices, const OwnSettings& settings) {
     add("trunk", kTrunkWidth, kTrunkHeight, {100, 250});
     for (int k = 0; k < kLimbs; ++k) {
         const bool isLast = k + 1 == kLimbs;
-        const Vec<2> at = isLast ? Vec<2>(1760, 340) : Vec<2>(60 + 165 * k, k % 2 == 0 ? 0 : 680);
+        const Vec2 at = isLast ? Vec2(1760, 340) : Vec2(60 + 165 * k, k % 2 == 0 ? 0 : 680);
         PicturePart& limb = add("limb " + std::to_string(k), kLimbWidth, kLimbHeight, at);
-        limb.joints.push_back({"trunk", at + Vec<2>(0.5 * kLimbWidth, 0.5 * kLimbHeight)});
+        limb.joints.push_back({"trunk", at + Vec2(0.5 * kLimbWidth, 0.5 * kLimbHeight)});
     }
     Design design;
     design.material.phi = phi::kMetr;

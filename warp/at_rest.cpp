@@ -25,8 +25,8 @@ std::vector<std::uint8_t> nearTheShape(const WarpJob& job, int margin, int top, 
 
 }  // namespace
 
-bool isAtRest(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view) {
-    return view.width == source.width && view.height == source.height && view.origin == Vec<2>::Zero() &&
+bool isAtRest(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view) {
+    return view.width == source.width && view.height == source.height && view.origin == Vec2::Zero() &&
            view.scale == 1 && pose == rest.points;
 }
 

@@ -5,7 +5,7 @@
 namespace wend {
 
 /// Returns whether the view shows the whole picture, pixel by pixel, on the undeformed shape.
-bool isAtRest(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view);
+bool isAtRest(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view);
 
 /// Copies the source's own pixels into a strip where the shape is within `margin` pixels. An outline from
 /// alpha leaves narrow gaps open, so that limbs come apart, and cuts soft edges that reach into the gaps;

@@ -38,7 +38,7 @@ Image emptyImage(const std::vector<Sheet>& sheets, int width, int height) {
 }
 
 /// Packs the pictures in rows, the highest first, about as wide as high. Returns the size.
-std::pair<int, int> pack(const std::vector<Sheet>& sheets, std::vector<Vec<2>>& places) {
+std::pair<int, int> pack(const std::vector<Sheet>& sheets, std::vector<Vec2>& places) {
     std::vector<std::size_t> order(sheets.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {

@@ -12,7 +12,7 @@ namespace wend {
 /// A picture among others over one another, with its first pixel at `at`.
 struct Sheet {
     std::shared_ptr<const Image> picture;
-    Vec<2> at = Vec<2>::Zero();
+    Vec2 at = Vec2::Zero();
     double opacity = 1;
     bool hidden = false;
     BlendMode blend = BlendMode::Normal;
@@ -25,7 +25,7 @@ struct Sheet {
 /// filters that reach beyond it.
 struct Atlas {
     Image picture;
-    std::vector<Vec<2>> places;  // of the first pixel of each
+    std::vector<Vec2> places;  // of the first pixel of each
 };
 
 /// Returns the atlas of some sheets. It has alpha, and the type and channels that hold every picture; its

@@ -71,7 +71,7 @@ class BandPainter {
     }
 
     /// Returns whether all pixels needed for positions in a box are inside the picture.
-    bool inner(const Vec<2>& low, const Vec<2>& high, const CellFilter& filter) const {
+    bool inner(const Vec2& low, const Vec2& high, const CellFilter& filter) const {
         const TexelLevel& level = levelOf(filter);
         const Eigen::Vector2i& reach = filter.ellipse.wholeReach;
         return low.x() * filter.shrink >= reach.x() + 2 && low.y() * filter.shrink >= reach.y() + 2 &&
@@ -118,8 +118,8 @@ class BandPainter {
     static bool isFull(T alpha) { return !(static_cast<float>(alpha) < kFull<T>); }
 
     bool innerSpan(const VisibleCell& cell, int y) const {
-        const Vec<2> a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5));
-        const Vec<2> b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5));
+        const Vec2 a = cell.map.source(m_job.plane(m_task.begin + 0.5, y + 0.5));
+        const Vec2 b = cell.map.source(m_job.plane(m_task.end - 0.5, y + 0.5));
         return inner(a.cwiseMin(b), a.cwiseMax(b), cell.filter);
     }
 
@@ -142,7 +142,7 @@ class BandPainter {
     // --- outside the shape
     // ---------------------------------------------------------------------------------------
 
-    bool inPicture(const Vec<2>& p) const {
+    bool inPicture(const Vec2& p) const {
         const Image& image = m_job.source->base();
         return p.x() >= 0 && p.y() >= 0 && p.x() < image.width && p.y() < image.height;
     }
@@ -161,7 +161,7 @@ class BandPainter {
     }
 
     OutColour outsideColour(int x, int y) const {
-        const Vec<2> p = m_job.plane(x + 0.5, y + 0.5);
+        const Vec2 p = m_job.plane(x + 0.5, y + 0.5);
         const Outside kind = m_job.options.outside;
         if (kind == Outside::Colour) return givenColour();
         if (kind == Outside::Clamp || (kind == Outside::Original && inPicture(p)))

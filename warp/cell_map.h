@@ -9,22 +9,22 @@ namespace wend {
 /// displacement(destination), which is exact without displacement. Every position is computed from its own
 /// coordinates alone, so that a crop has the same bits as the whole.
 struct CellMap {
-    Vec<2> anchor;        // of the pose
-    Vec<2> displacement;  // there
-    Mat<2> gradient;      // of the displacement
-    bool exact = true;    // whether positions are, to far less than a pixel
+    Vec2 anchor;        // of the pose
+    Vec2 displacement;  // there
+    Mat2 gradient;      // of the displacement
+    bool exact = true;  // whether positions are, to far less than a pixel
 
     /// Displaces nothing.
-    CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat<2>::Zero()) {}
-    CellMap(const Points<2>& rest, const Points<2>& pose, const Cell<2>& cell);
+    CellMap() : anchor(0, 0), displacement(0, 0), gradient(Mat2::Zero()) {}
+    CellMap(const Points2& rest, const Points2& pose, const Cell<2>& cell);
 
     /// Returns the displacement at height y in the anchor's column.
-    Vec<2> inRow(double y) const { return displacement + gradient.col(1) * (y - anchor.y()); }
-    Vec<2> source(double x, double y, const Vec<2>& inRowOfY) const {
+    Vec2 inRow(double y) const { return displacement + gradient.col(1) * (y - anchor.y()); }
+    Vec2 source(double x, double y, const Vec2& inRowOfY) const {
         return {x - (inRowOfY.x() + gradient(0, 0) * (x - anchor.x())),
                 y - (inRowOfY.y() + gradient(1, 0) * (x - anchor.x()))};
     }
-    Vec<2> source(const Vec<2>& p) const { return source(p.x(), p.y(), inRow(p.y())); }
+    Vec2 source(const Vec2& p) const { return source(p.x(), p.y(), inRow(p.y())); }
 };
 
 /// The ellipse {J u : |u| ≤ 2} of source pixels around a position, J mapping destination pixels to source
@@ -45,7 +45,7 @@ struct CellFilter {
 
     CellFilter() = default;
     /// `jacobian` maps steps of output pixels to steps of source pixels.
-    CellFilter(const Mat<2>& jacobian, Filter filter, int levels);
+    CellFilter(const Mat2& jacobian, Filter filter, int levels);
 };
 
 }  // namespace wend

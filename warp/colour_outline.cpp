@@ -72,7 +72,7 @@ std::vector<bool> connected(const ColourDistances& distances, int width, int hei
 
 }  // namespace
 
-Outline outlineOfColour(const Image& image, const Vec<2>& place, double tolerance) {
+Outline outlineOfColour(const Image& image, const Vec2& place, double tolerance) {
     const int x = static_cast<int>(std::floor(place.x())), y = static_cast<int>(std::floor(place.y()));
     if (x < 0 || y < 0 || x >= image.width || y >= image.height) return {};
     const auto allowed = static_cast<float>(tolerance);

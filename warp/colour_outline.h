@@ -8,6 +8,6 @@ namespace wend {
 /// Returns the outline of the pixels that are connected with a place and differ from its colour by at most
 /// the tolerance (of full scale, in the channel that differs most; weighted with opacity), by marching
 /// squares with sub-pixel accuracy. Empty outside the picture.
-Outline outlineOfColour(const Image& image, const Vec<2>& place, double tolerance);
+Outline outlineOfColour(const Image& image, const Vec2& place, double tolerance);
 
 }  // namespace wend

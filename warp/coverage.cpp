@@ -7,14 +7,13 @@
 namespace wend {
 namespace {
 
-bool before(const Vec<2>& a, const Vec<2>& b) {
+bool before(const Vec2& a, const Vec2& b) {
     return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
 }
 
 }  // namespace
 
-TriangleRows::TriangleRows(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c)
-    : TriangleRows(sorted({a, b, c})) {}
+TriangleRows::TriangleRows(const Vec2& a, const Vec2& b, const Vec2& c) : TriangleRows(sorted({a, b, c})) {}
 
 TriangleRows::Corners TriangleRows::sorted(Corners corners) {
     std::sort(corners.begin(), corners.end(), before);

@@ -18,7 +18,7 @@ struct Span {
 class TriangleRows {
   public:
     /// Takes corners in output pixels.
-    TriangleRows(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c);
+    TriangleRows(const Vec2& a, const Vec2& b, const Vec2& c);
     double top() const { return m_corners[0].y(); }
     double bottom() const { return m_corners[2].y(); }
     double left() const { return std::min({m_corners[0].x(), m_corners[1].x(), m_corners[2].x()}); }
@@ -34,11 +34,11 @@ class TriangleRows {
     /// An edge's x over y, from its upper end.
     struct Edge {
         double x, y, slope;
-        Edge(const Vec<2>& upper, const Vec<2>& lower)
+        Edge(const Vec2& upper, const Vec2& lower)
             : x(upper.x()), y(upper.y()), slope((lower.x() - upper.x()) / (lower.y() - upper.y())) {}
         double at(double height) const { return x + (height - y) * slope; }
     };
-    using Corners = std::array<Vec<2>, 3>;
+    using Corners = std::array<Vec2, 3>;
     explicit TriangleRows(const Corners& sorted)
         : m_corners(sorted),
           m_long(sorted[0], sorted[2]),

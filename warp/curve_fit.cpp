@@ -14,13 +14,13 @@ constexpr int kDeepest = 10;
 constexpr double kStraight = 0.1;  // of the tolerance: how far a line may be from its chord
 
 struct Cubic {
-    std::array<Vec<2>, 4> p;
+    std::array<Vec2, 4> p;
 
-    Vec<2> at(double t) const {
+    Vec2 at(double t) const {
         const double s = 1 - t;
         return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
     }
-    Vec<2> derivative(double t) const {
+    Vec2 derivative(double t) const {
         const double s = 1 - t;
         return 3 * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1]) + t * t * (p[3] - p[2]));
     }
@@ -56,10 +56,10 @@ class CubicCarrier {
     }
 
     bool isStraight(const Cubic& cubic) const {
-        const Vec<2> chord = cubic.p[3] - cubic.p[0];
+        const Vec2 chord = cubic.p[3] - cubic.p[0];
         const double length = chord.norm();
-        const auto distance = [&](const Vec<2>& p) {
-            const Vec<2> from = p - cubic.p[0];
+        const auto distance = [&](const Vec2& p) {
+            const Vec2 from = p - cubic.p[0];
             return length > 0 ? std::abs(from.x() * chord.y() - from.y() * chord.x()) / length : from.norm();
         };
         return std::max(distance(cubic.p[1]), distance(cubic.p[2])) <= kStraight * m_tolerance;
@@ -67,8 +67,8 @@ class CubicCarrier {
 
     /// Returns the tangent of the carried curve per unit of the parameter; where the source has none, that to
     /// a point nearby.
-    Vec<2> tangent(double t, double inward) const {
-        Vec<2> own = m_source.derivative(t);
+    Vec2 tangent(double t, double inward) const {
+        Vec2 own = m_source.derivative(t);
         const double small = 1e-6 * m_source.length();
         if (own.norm() <= small) own = (m_source.at(t + inward / 16) - m_source.at(t)) / (inward / 16);
         return m_map.gradient(m_source.at(t)) * own;
@@ -81,22 +81,22 @@ class CubicCarrier {
         const int count =
             std::clamp(static_cast<int>(std::ceil(2 * span * m_source.length() / m_map.cellSize())),
                        kFewestSamples, kMostSamples);
-        std::vector<Vec<2>> samples;
+        std::vector<Vec2> samples;
         for (int k = 0; k <= count; ++k) samples.push_back(m_map(m_source.at(from + span * k / count)));
-        const Vec<2> p0 = samples.front(), p3 = samples.back();
-        const Vec<2> a = span * tangent(from, span) / 3, b = -span * tangent(to, -span) / 3;
-        Mat<2> normal = Mat<2>::Zero();
-        Vec<2> right(0, 0);
+        const Vec2 p0 = samples.front(), p3 = samples.back();
+        const Vec2 a = span * tangent(from, span) / 3, b = -span * tangent(to, -span) / 3;
+        Mat2 normal = Mat2::Zero();
+        Vec2 right(0, 0);
         for (int k = 1; k < count; ++k) {
             const double t = static_cast<double>(k) / count, s = 1 - t;
-            const Vec<2> rest = samples[static_cast<std::size_t>(k)] - (s * s * s + 3 * s * s * t) * p0 -
-                                (t * t * t + 3 * s * t * t) * p3;
-            Mat<2> row;
+            const Vec2 rest = samples[static_cast<std::size_t>(k)] - (s * s * s + 3 * s * s * t) * p0 -
+                              (t * t * t + 3 * s * t * t) * p3;
+            Mat2 row;
             row << 3 * s * s * t * a, 3 * s * t * t * b;
             normal += row.transpose() * row;
             right += row.transpose() * rest;
         }
-        Vec<2> lengths(1, 1);
+        Vec2 lengths(1, 1);
         const double size = normal.trace();
         if (normal.determinant() > 1e-9 * size * size) lengths = normal.inverse() * right;
         if (!(lengths.minCoeff() > 0.1 && lengths.maxCoeff() < 10)) lengths = {1, 1};
@@ -114,7 +114,7 @@ class CubicCarrier {
     bool m_isLine;
 };
 
-Cubic lineCubic(const Vec<2>& a, const Vec<2>& b) {
+Cubic lineCubic(const Vec2& a, const Vec2& b) {
     return {{a, a + (b - a) / 3, b + (a - b) / 3, b}};
 }
 
@@ -122,8 +122,8 @@ Cubic lineCubic(const Vec<2>& a, const Vec<2>& b) {
 
 SvgPath carriedPath(const SvgPath& path, const PlaneMap& map, double tolerance) {
     SvgPath carried;
-    Vec<2> at(0, 0), start(0, 0);
-    const auto line = [&](const Vec<2>& to) {
+    Vec2 at(0, 0), start(0, 0);
+    const auto line = [&](const Vec2& to) {
         CubicCarrier(lineCubic(at, to), map, tolerance, true).carry(carried);
     };
     for (const PathPiece& piece : path) {

@@ -78,7 +78,7 @@ Image flattenedPages(const std::string& path, const Image& first, double maxMega
     std::vector<Sheet> sheets;
     for (const PictureLayer& page : pages) {
         const auto picture = std::make_shared<const Image>(readLayer(path, page.name));
-        sheets.insert(sheets.begin(), {picture, Vec<2>(page.x, page.y)});
+        sheets.insert(sheets.begin(), {picture, Vec2(page.x, page.y)});
     }
     Image image = flattened(sheets, width, height);
     image.metadata = first.metadata;

@@ -75,7 +75,7 @@ void requireAlpha(const Image& image) {
         throw InputError(sentence("Core", "the picture has no pixels"));
 }
 
-std::vector<std::vector<Vec<2>>> withoutSpecks(std::vector<std::vector<Vec<2>>> loops, double smallest) {
+std::vector<std::vector<Vec2>> withoutSpecks(std::vector<std::vector<Vec2>> loops, double smallest) {
     // Loops inside a dropped one are smaller and are dropped, too.
     const auto isSpeck = [&](const auto& loop) { return std::abs(loopArea(loop)) < smallest; };
     loops.erase(std::remove_if(loops.begin(), loops.end(), isSpeck), loops.end());
@@ -85,8 +85,7 @@ std::vector<std::vector<Vec<2>>> withoutSpecks(std::vector<std::vector<Vec<2>>> 
     return loops;
 }
 
-std::vector<std::vector<Vec<2>>> alphaContours(const Image& image, const ContourGrid& grid,
-                                               double threshold) {
+std::vector<std::vector<Vec2>> alphaContours(const Image& image, const ContourGrid& grid, double threshold) {
     AlphaRows rows(image, threshold);
     auto loops = zeroContours(grid, [&](int row, auto& values) { rows.fillRow(row, values); });
     if (!loops.empty()) return loops;
@@ -95,7 +94,7 @@ std::vector<std::vector<Vec<2>>> alphaContours(const Image& image, const Contour
                       std::lround(100 * threshold)});
 }
 
-bool isInside(const Vec<2>& p, const std::vector<Vec<2>>& loop) {
+bool isInside(const Vec2& p, const std::vector<Vec2>& loop) {
     bool inside = false;
     for (std::size_t i = 0; i < loop.size(); ++i)
         if (crossesRay(loop[i], loop[(i + 1) % loop.size()], p)) inside = !inside;
@@ -103,10 +102,10 @@ bool isInside(const Vec<2>& p, const std::vector<Vec<2>>& loop) {
 }
 
 /// Returns the loops that are inside no other one. Loops do not cross, so that one point of each decides.
-std::vector<std::vector<Vec<2>>> outermost(std::vector<std::vector<Vec<2>>> loops) {
+std::vector<std::vector<Vec2>> outermost(std::vector<std::vector<Vec2>> loops) {
     std::ranges::stable_sort(loops, std::greater(),
                              [](const auto& loop) { return std::abs(loopArea(loop)); });
-    std::vector<std::vector<Vec<2>>> outer;
+    std::vector<std::vector<Vec2>> outer;
     std::vector<Eigen::AlignedBox2d> boxes;
     for (auto& loop : loops) {
         bool within = false;
@@ -114,7 +113,7 @@ std::vector<std::vector<Vec<2>>> outermost(std::vector<std::vector<Vec<2>>> loop
             within = boxes[k].contains(loop[0]) && isInside(loop[0], outer[k]);
         if (within) continue;
         Eigen::AlignedBox2d& box = boxes.emplace_back();
-        for (const Vec<2>& p : loop) box.extend(p);
+        for (const Vec2& p : loop) box.extend(p);
         outer.push_back(std::move(loop));
     }
     return outer;

@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-using Loop = std::vector<Vec<2>>;
+using Loop = std::vector<Vec2>;
 
 constexpr std::size_t mostVertices = 40'000'000;
 
@@ -36,7 +36,7 @@ class ContourTracer {
     const RowSource& m_source;
     std::vector<float> m_upper, m_lower;           // values of two rows of nodes
     std::vector<int> m_top, m_bottom, m_vertical;  // vertices on their edges
-    std::vector<Vec<2>> m_vertices;
+    std::vector<Vec2> m_vertices;
     std::vector<int> m_next;
 };
 
@@ -112,7 +112,7 @@ void ContourTracer::addRowOfCells(int row) {
 Loop ContourTracer::follow(int start) {
     Loop loop;
     for (int at = start; at >= 0;) {
-        const Vec<2>& p = m_vertices[at];
+        const Vec2& p = m_vertices[at];
         if (loop.empty() || loop.back() != p) loop.push_back(p);
         at = std::exchange(m_next[at], -1);
     }

@@ -20,17 +20,17 @@ int stripOf(double y, int strips) {
 
 }  // namespace
 
-GrownShape::GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec<2>>>& loops, double margin,
+GrownShape::GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec2>>& loops, double margin,
                        double gap)
     : m_grid(grid), m_margin(margin), m_gap(gap) {
     for (const auto& loop : loops) addLoop(loop);
     sortIntoStrips();
 }
 
-void GrownShape::addLoop(const std::vector<Vec<2>>& loop) {
+void GrownShape::addLoop(const std::vector<Vec2>& loop) {
     double length = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+        const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
         const double step = (b - a).norm();
         m_segments.push_back({a, b, static_cast<int>(m_lengths.size()), length + step / 2});
         length += step;
@@ -61,12 +61,12 @@ void GrownShape::visitNear(const Segment& s, double reach, const Visit& visit) {
     const int bottom = std::min(last(std::max(s.a.y(), s.b.y())), m_lastRow);
     for (int row = top; row <= bottom; ++row)
         for (int column = left; column <= right; ++column)
-            visit(node(column, row), Vec<2>(m_grid.x(column), m_grid.y(row)));
+            visit(node(column, row), Vec2(m_grid.x(column), m_grid.y(row)));
 }
 
 void GrownShape::findNearest(const Segment& s, int index) {
-    visitNear(s, m_margin + beyond, [&](Node& n, const Vec<2>& p) {
-        const Vec<2> q = nearestOnSegment<2>(p, s.a, s.b);
+    visitNear(s, m_margin + beyond, [&](Node& n, const Vec2& p) {
+        const Vec2 q = nearestOnSegment<2>(p, s.a, s.b);
         const auto d = static_cast<float>((p - q).norm());
         if (d >= n.distance) return;
         n.distance = d;
@@ -86,11 +86,11 @@ bool GrownShape::isFarAlong(const Segment& a, const Segment& b) const {
 
 /// Finds for each inside node the contour opposite of its nearest contour point.
 void GrownShape::findFacing(const Segment& s) {
-    visitNear(s, 2 * m_margin + m_gap + beyond, [&](Node& n, const Vec<2>& p) {
+    visitNear(s, 2 * m_margin + m_gap + beyond, [&](Node& n, const Vec2& p) {
         if (n.distance > (n.inside ? 0 : m_margin) + beyond) return;
-        const Vec<2> from = n.inside ? n.nearest : p;
-        const Vec<2> outwards = n.inside ? Vec<2>(n.nearest - p) : Vec<2>(p - n.nearest);
-        const Vec<2> q = nearestOnSegment<2>(from, s.a, s.b);
+        const Vec2 from = n.inside ? n.nearest : p;
+        const Vec2 outwards = n.inside ? Vec2(n.nearest - p) : Vec2(p - n.nearest);
+        const Vec2 q = nearestOnSegment<2>(from, s.a, s.b);
         const auto d = static_cast<float>((from - q).norm());
         if (d >= n.facing || (q - from).dot(outwards) < 0 || !isFarAlong(s, m_segments[n.segment])) return;
         n.facing = d;
@@ -130,7 +130,7 @@ void GrownShape::computeStrip(int strip) {
     m_firstRow = strip * stripRows;
     m_lastRow = std::min(m_firstRow + stripRows, m_grid.rows()) - 1;
     m_nodes.assign(static_cast<std::size_t>(m_grid.columns()) * stripRows,
-                   {far, far, Vec<2>::Zero(), -1, false});
+                   {far, far, Vec2::Zero(), -1, false});
     const auto& segments = m_strips[strip];
     markInside(segments);
     for (int i : segments) findNearest(m_segments[i], i);

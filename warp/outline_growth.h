@@ -13,7 +13,7 @@ namespace wend {
 /// value is μ − d with μ = clamp((w − gap) / 2, 0, margin).
 class GrownShape {
   public:
-    GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec<2>>>& loops, double margin,
+    GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec2>>& loops, double margin,
                double gap);
 
     /// A RowSource: rows in ascending order.
@@ -21,18 +21,18 @@ class GrownShape {
 
   private:
     struct Segment {
-        Vec<2> a, b;
+        Vec2 a, b;
         int loop;
         double arc;  // length along the loop up to the segment's middle
     };
     struct Node {
         float distance, facing;
-        Vec<2> nearest;
+        Vec2 nearest;
         int segment;
         bool inside;
     };
 
-    void addLoop(const std::vector<Vec<2>>& loop);
+    void addLoop(const std::vector<Vec2>& loop);
     void sortIntoStrips();
     void computeStrip(int strip);
     void markInside(const std::vector<int>& segments);

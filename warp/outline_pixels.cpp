@@ -9,7 +9,7 @@ namespace {
 
 /// Calls visit(x, y) for all pixels that the segment passes through or nearly touches.
 template <typename Visit>
-void forPixelsOf(Vec<2> a, Vec<2> b, int width, int height, Visit&& visit) {
+void forPixelsOf(Vec2 a, Vec2 b, int width, int height, Visit&& visit) {
     constexpr double kNear = 1e-6;
     if (a.y() > b.y()) std::swap(a, b);
     const int top = std::max(0, static_cast<int>(std::floor(std::max(a.y() - kNear, -1.0))));
@@ -51,7 +51,7 @@ SampleRows::SampleRows(const TriangleRows& rows, int y, double left, double righ
     }
 }
 
-OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height,
+OutlinePixels::OutlinePixels(const PaintingPlan& plan, const Points2& pixels, int width, int height,
                              int bandRows)
     : m_bandRows(bandRows),
       m_width(width),

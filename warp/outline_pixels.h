@@ -51,7 +51,7 @@ class OutlinePixels {
     /// Makes an empty set.
     OutlinePixels(int bands, int bandRows) : m_bandRows(bandRows), m_bands(static_cast<std::size_t>(bands)) {}
     /// `pixels` are the vertices in pixels of the output.
-    OutlinePixels(const PaintingPlan& plan, const Points<2>& pixels, int width, int height, int bandRows);
+    OutlinePixels(const PaintingPlan& plan, const Points2& pixels, int width, int height, int bandRows);
 
     /// Returns the pixels by rows, then from left to right.
     const std::vector<Pixel>& pixels(int band) const {

@@ -12,9 +12,8 @@ namespace {
 constexpr double kRounding = 1e-7;  // of a cell's size
 
 /// Returns the gradient of a cell's linear map, and its area at rest.
-std::pair<Mat<2>, double> gradientOf(const SimplicialMesh<2>& rest, const Points<2>& pose,
-                                     const Cell<2>& cell) {
-    Mat<2> X, x;
+std::pair<Mat2, double> gradientOf(const SimplicialMesh<2>& rest, const Points2& pose, const Cell<2>& cell) {
+    Mat2 X, x;
     for (int k = 0; k < 2; ++k) {
         X.col(k) = rest.points.col(cell[static_cast<std::size_t>(k) + 1]) - rest.points.col(cell[0]);
         x.col(k) = pose.col(cell[static_cast<std::size_t>(k) + 1]) - pose.col(cell[0]);
@@ -24,10 +23,10 @@ std::pair<Mat<2>, double> gradientOf(const SimplicialMesh<2>& rest, const Points
 
 }  // namespace
 
-PlaneMap::PlaneMap(SimplicialMesh<2> rest, Points<2> pose)
+PlaneMap::PlaneMap(SimplicialMesh<2> rest, Points2 pose)
     : m_rest(std::move(rest)), m_pose(std::move(pose)), m_locator(m_rest.points, m_rest.cells) {
     const auto count = static_cast<std::size_t>(m_rest.vertexCount());
-    m_gradients.assign(count, Mat<2>::Zero());
+    m_gradients.assign(count, Mat2::Zero());
     std::vector<double> weights(count, 0.0);
     double area = 0;
     for (const Cell<2>& cell : m_rest.cells) {
@@ -46,13 +45,13 @@ PlaneMap::PlaneMap(SimplicialMesh<2> rest, Points<2> pose)
         if (!facet.interior()) m_border.push_back(facet.vertices);
 }
 
-PlaneMap::Place PlaneMap::nearestOnBorder(const Vec<2>& p) const {
+PlaneMap::Place PlaneMap::nearestOnBorder(const Vec2& p) const {
     Place nearest{{0, 0, 0}, {1, 0, 0}, {0, 0}};
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [a, b] : m_border) {
-        const Vec<2> from = m_rest.points.col(a), along = m_rest.points.col(b) - from;
+        const Vec2 from = m_rest.points.col(a), along = m_rest.points.col(b) - from;
         const double t = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        const Vec<2> beyond = p - (from + t * along);
+        const Vec2 beyond = p - (from + t * along);
         if (beyond.squaredNorm() >= least) continue;
         least = beyond.squaredNorm();
         nearest = {{a, b, b}, {1 - t, t, 0}, beyond};
@@ -60,43 +59,43 @@ PlaneMap::Place PlaneMap::nearestOnBorder(const Vec<2>& p) const {
     return nearest;
 }
 
-PlaneMap::Place PlaneMap::placeOf(const Vec<2>& p) const {
+PlaneMap::Place PlaneMap::placeOf(const Vec2& p) const {
     if (const auto found = m_locator.find(p, 1e-9))
         return {m_rest.cells[static_cast<std::size_t>(found->cell)], found->weights, {0, 0}};
     return nearestOnBorder(p);
 }
 
-Vec<2> PlaneMap::operator()(const Vec<2>& p) const {
+Vec2 PlaneMap::operator()(const Vec2& p) const {
     const Place place = placeOf(p);
-    Vec<2> at(0, 0);
-    Mat<2> G = Mat<2>::Zero();
-    const Vec<2> inside = p - place.beyond;
+    Vec2 at(0, 0);
+    Mat2 G = Mat2::Zero();
+    const Vec2 inside = p - place.beyond;
     for (int k = 0; k < 3; ++k) {
         const int v = place.vertices[static_cast<std::size_t>(k)];
-        const Mat<2>& own = m_gradients[static_cast<std::size_t>(v)];
+        const Mat2& own = m_gradients[static_cast<std::size_t>(v)];
         at += place.weights[k] * (m_pose.col(v) + own * (inside - m_rest.points.col(v)) / 2);
         G += place.weights[k] * own;
     }
     return at + G * place.beyond;
 }
 
-Mat<2> PlaneMap::gradient(const Vec<2>& p) const {
+Mat2 PlaneMap::gradient(const Vec2& p) const {
     const Place place = placeOf(p);
-    Mat<2> G = Mat<2>::Zero();
+    Mat2 G = Mat2::Zero();
     for (int k = 0; k < 3; ++k)
         G += place.weights[k] *
              m_gradients[static_cast<std::size_t>(place.vertices[static_cast<std::size_t>(k)])];
     return G;
 }
 
-bool PlaneMap::contains(const Vec<2>& p) const {
+bool PlaneMap::contains(const Vec2& p) const {
     return m_locator.find(p, 1e-9) || nearestOnBorder(p).beyond.norm() <= kRounding * m_cellSize;
 }
 
-std::vector<std::vector<Vec<2>>> PlaneMap::border() const {
+std::vector<std::vector<Vec2>> PlaneMap::border() const {
     std::multimap<int, int> next;
     for (const auto& [a, b] : m_border) next.emplace(a, b);
-    std::vector<std::vector<Vec<2>>> loops;
+    std::vector<std::vector<Vec2>> loops;
     while (!next.empty()) {
         auto& loop = loops.emplace_back();
         for (auto at = next.begin(); at != next.end();) {
@@ -110,24 +109,24 @@ std::vector<std::vector<Vec<2>>> PlaneMap::border() const {
 }
 
 /// Minimizes Σ |A (p − c) − (F(p) − F̄)|² + λ |A − G(c)|² with the points' mean c.
-Affine nearestAffine(const PlaneMap& map, const std::vector<Vec<2>>& points) {
+Affine nearestAffine(const PlaneMap& map, const std::vector<Vec2>& points) {
     constexpr double kWeight = 1e-3;  // of the gradient, beside the points
-    Vec<2> centre(0, 0), image(0, 0);
-    std::vector<Vec<2>> images;
-    for (const Vec<2>& p : points) {
+    Vec2 centre(0, 0), image(0, 0);
+    std::vector<Vec2> images;
+    for (const Vec2& p : points) {
         images.push_back(map(p));
         centre += p / static_cast<double>(points.size());
         image += images.back() / static_cast<double>(points.size());
     }
-    Mat<2> square = Mat<2>::Zero(), mixed = Mat<2>::Zero();
+    Mat2 square = Mat2::Zero(), mixed = Mat2::Zero();
     for (std::size_t k = 0; k < points.size(); ++k) {
         square += (points[k] - centre) * (points[k] - centre).transpose();
         mixed += (images[k] - image) * (points[k] - centre).transpose();
     }
     const double weight = kWeight * square.trace() + std::numeric_limits<double>::min();
-    square += weight * Mat<2>::Identity();
+    square += weight * Mat2::Identity();
     mixed += weight * map.gradient(centre);
-    const Mat<2> A = mixed * square.inverse();
+    const Mat2 A = mixed * square.inverse();
     return {A, image - A * centre};
 }
 

@@ -18,40 +18,40 @@ namespace wend {
 /// without the G_i. Points outside follow the nearest point of the border: F(X) + G(X) (p − X).
 class PlaneMap {
   public:
-    PlaneMap(SimplicialMesh<2> rest, Points<2> pose);
+    PlaneMap(SimplicialMesh<2> rest, Points2 pose);
     PlaneMap(const PlaneMap&) = delete;  // the locator refers to its points
     PlaneMap& operator=(const PlaneMap&) = delete;
 
-    Vec<2> operator()(const Vec<2>& p) const;
+    Vec2 operator()(const Vec2& p) const;
     /// Returns the gradients G_i, interpolated: a continuous approximation of the map's gradient.
-    Mat<2> gradient(const Vec<2>& p) const;
+    Mat2 gradient(const Vec2& p) const;
     /// Returns whether the point is inside, or within rounding of the border.
-    bool contains(const Vec<2>& p) const;
+    bool contains(const Vec2& p) const;
     /// Returns the mean length of edges at rest.
     double cellSize() const { return m_cellSize; }
     /// Returns the closed curves around the pose.
-    std::vector<std::vector<Vec<2>>> border() const;
+    std::vector<std::vector<Vec2>> border() const;
 
   private:
     /// A place of the partition, and what is beyond it.
     struct Place {
         std::array<int, 3> vertices;
-        Vec<3> weights;
-        Vec<2> beyond;
+        Vec3 weights;
+        Vec2 beyond;
     };
-    Place placeOf(const Vec<2>& p) const;
-    Place nearestOnBorder(const Vec<2>& p) const;
+    Place placeOf(const Vec2& p) const;
+    Place nearestOnBorder(const Vec2& p) const;
 
     SimplicialMesh<2> m_rest;
-    Points<2> m_pose;
+    Points2 m_pose;
     PointLocator<2> m_locator;
-    std::vector<Mat<2>> m_gradients;           // at vertices
+    std::vector<Mat2> m_gradients;             // at vertices
     std::vector<std::array<int, 2>> m_border;  // edges
     double m_cellSize = 1;
 };
 
 /// Returns the affine map that is nearest to a map at some points of the plane, which is also near to its
 /// gradient where points lie on a line.
-Affine nearestAffine(const PlaneMap& map, const std::vector<Vec<2>>& points);
+Affine nearestAffine(const PlaneMap& map, const std::vector<Vec2>& points);
 
 }  // namespace wend

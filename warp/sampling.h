@@ -11,7 +11,7 @@ enum class Outside { Transparent, Clamp, Colour, Original };
 /// origin + ((i + 0.5) · scale, (j + 0.5) · scale) in the picture's coordinates.
 struct View {
     int width = 0, height = 0;
-    Vec<2> origin = Vec<2>::Zero();
+    Vec2 origin = Vec2::Zero();
     double scale = 1;
 };
 

@@ -38,7 +38,7 @@ struct SpanTask {
         reachX = filter.ellipse.wholeReach.x(), reachY = filter.ellipse.wholeReach.y();
     }
     void setRow(const CellMap& map, double y) {
-        const Vec<2> inRow = map.inRow(y);
+        const Vec2 inRow = map.inRow(y);
         height = y, inRowX = inRow.x(), inRowY = inRow.y();
     }
 };

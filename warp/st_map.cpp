@@ -23,7 +23,7 @@ const Cell<2>& cellOf(const SimplicialMesh<2>& mesh, int cell) {
 /// Writes the source position of every pixel whose centre is covered by a cell.
 class StPainter {
   public:
-    StPainter(const Points<2>& from, const Points<2>& to, const View& view, double width, double height)
+    StPainter(const Points2& from, const Points2& to, const View& view, double width, double height)
         : m_from(from),
           m_to(to),
           m_view(view),
@@ -48,8 +48,8 @@ class StPainter {
 
     /// A pixel on the outline: position of the cell that covers most of it, alpha = coverage.
     void put(const CellMap& map, int x, int y, float coverage) {
-        const Vec<2> p = m_view.origin + m_view.scale * Vec<2>(x + 0.5, y + 0.5);
-        const Vec<2> source = map.source(p);
+        const Vec2 p = m_view.origin + m_view.scale * Vec2(x + 0.5, y + 0.5);
+        const Vec2 source = map.source(p);
         float* pixel = reinterpret_cast<float*>(m_image.row(y)) + 4 * x;
         pixel[0] = static_cast<float>(source.x() / m_width);
         pixel[1] = static_cast<float>(1 - source.y() / m_height);
@@ -60,19 +60,19 @@ class StPainter {
     Image take() { return std::move(m_image); }
 
   private:
-    Vec<2> pixel(int vertex) const { return (m_to.col(vertex) - m_view.origin) / m_view.scale; }
+    Vec2 pixel(int vertex) const { return (m_to.col(vertex) - m_view.origin) / m_view.scale; }
 
-    const Points<2>& m_from;
-    const Points<2>& m_to;
+    const Points2& m_from;
+    const Points2& m_to;
     const View& m_view;
     double m_width, m_height;
     Image m_image;
 };
 
 /// Chooses for every outline pixel the cell with the largest visible share, from the nearest down.
-void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Points<2>& from,
-                  const Points<2>& to, const View& view, const PaintingPlan& plan) {
-    const Points<2> pixels = (to.colwise() - view.origin) / view.scale;
+void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Points2& from, const Points2& to,
+                  const View& view, const PaintingPlan& plan) {
+    const Points2 pixels = (to.colwise() - view.origin) / view.scale;
     const OutlinePixels outline(plan, pixels, view.width, view.height, view.height);
     struct Best {
         int cell = -1, most = 0;
@@ -96,12 +96,12 @@ void paintOutline(StPainter& painter, const SimplicialMesh<2>& rest, const Point
 
 }  // namespace
 
-Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
+Image stMap(const SimplicialMesh<2>& rest, const Points2& pose, const View& view, int sourceWidth,
             int sourceHeight, const std::vector<float>& depth, bool inverse) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
     if (view.width <= 0 || view.height <= 0) return floatImage(0, 0);
-    const Points<2>& from = inverse ? pose : rest.points;
-    const Points<2>& to = inverse ? rest.points : pose;
+    const Points2& from = inverse ? pose : rest.points;
+    const Points2& to = inverse ? rest.points : pose;
     StPainter painter(from, to, view, sourceWidth, sourceHeight);
     const PaintingPlan plan(rest, depth);
     for (const int cell : plan.order) painter.paint(cellOf(rest, cell));

@@ -86,9 +86,9 @@ bool oneTransform(std::string_view name, const std::vector<double>& n, Affine& o
     } else if (name == "translate" && (count == 1 || count == 2)) {
         one.b = {n[0], count == 2 ? n[1] : 0};
     } else if (name == "scale" && (count == 1 || count == 2)) {
-        one.A = Vec<2>(n[0], n.back()).asDiagonal();
+        one.A = Vec2(n[0], n.back()).asDiagonal();
     } else if (name == "rotate" && (count == 1 || count == 3)) {
-        const Vec<2> centre = count == 3 ? Vec<2>(n[1], n[2]) : Vec<2>(0, 0);
+        const Vec2 centre = count == 3 ? Vec2(n[1], n[2]) : Vec2(0, 0);
         one = rotation(n[0] * kRadians);
         one.b = centre - one.A * centre;
     } else if (name == "skewX" && count == 1) {
@@ -146,7 +146,7 @@ std::string pathText(const SvgPath& path, int decimals) {
     for (const PathPiece& piece : path) {
         text += "MLCZ"[static_cast<std::size_t>(piece.kind)];
         for (int k = 0; k < piece.count(); ++k) {
-            const Vec<2>& p = piece.points[static_cast<std::size_t>(k)];
+            const Vec2& p = piece.points[static_cast<std::size_t>(k)];
             if (k > 0) text += ' ';
             text += decimalText(p.x(), decimals) + ',' + decimalText(p.y(), decimals);
         }

@@ -14,7 +14,7 @@ namespace wend {
 struct PathPiece {
     enum class Kind { Move, Line, Cubic, Close };
     Kind kind;
-    std::array<Vec<2>, 3> points = {Vec<2>::Zero(), Vec<2>::Zero(), Vec<2>::Zero()};
+    std::array<Vec2, 3> points = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
 
     int count() const { return kind == Kind::Cubic ? 3 : kind == Kind::Close ? 0 : 1; }
 };
@@ -22,14 +22,14 @@ using SvgPath = std::vector<PathPiece>;
 
 /// p ↦ A p + b.
 struct Affine {
-    Mat<2> A = Mat<2>::Identity();
-    Vec<2> b = Vec<2>::Zero();
+    Mat2 A = Mat2::Identity();
+    Vec2 b = Vec2::Zero();
 
-    Vec<2> operator()(const Vec<2>& p) const { return A * p + b; }
+    Vec2 operator()(const Vec2& p) const { return A * p + b; }
     Affine operator*(const Affine& first) const { return {A * first.A, A * first.b + b}; }
     /// Returns the inverse; the map must have one.
     Affine inverse() const;
-    bool isIdentity() const { return A == Mat<2>::Identity() && b == Vec<2>::Zero(); }
+    bool isIdentity() const { return A == Mat2::Identity() && b == Vec2::Zero(); }
     /// Returns whether circles stay circles, within rounding.
     bool isSimilarity() const;
     /// Returns the factor by which lengths grow in the mean.
@@ -40,8 +40,8 @@ struct Affine {
 /// arcs to a few millionths of their radius.
 SvgPath pathOf(std::string_view d);
 
-SvgPath rectanglePath(const Vec<2>& from, const Vec<2>& size, double rx, double ry);
-SvgPath ellipsePath(const Vec<2>& centre, double rx, double ry);
+SvgPath rectanglePath(const Vec2& from, const Vec2& size, double rx, double ry);
+SvgPath ellipsePath(const Vec2& centre, double rx, double ry);
 /// Returns lines through the points of a `points` attribute.
 SvgPath polygonPath(std::string_view points, bool isClosed);
 

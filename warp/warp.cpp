@@ -14,12 +14,12 @@ Image painted(const WarpedPicture& picture) {
 
 }  // namespace
 
-Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options) {
     return painted(WarpedPicture(source, rest, pose, view, options));
 }
 
-Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options) {
     return painted(WarpedPicture(source, rest, pose, view, options));
 }

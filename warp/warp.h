@@ -57,17 +57,17 @@ CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight);
 /// affine map of the cell that covers it. Output has the type, channels (plus alpha if needed) and metadata
 /// of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for
 /// another size of the picture.
-Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 
 /// The same with the picture's pyramid made before: for a window that draws it again and again.
-Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 
 /// Returns an ST map, float RGBA: R = source x / width, G = source y / height from the bottom (the
 /// compositing convention), B = 0, A = coverage. Where cells overlap, the map has the nearest one; `depth` as
 /// in WarpOptions. `inverse` swaps the roles of rest and pose.
-Image stMap(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view, int sourceWidth,
+Image stMap(const SimplicialMesh<2>& rest, const Points2& pose, const View& view, int sourceWidth,
             int sourceHeight, const std::vector<float>& depth = {}, bool inverse = false);
 
 }  // namespace wend

@@ -38,8 +38,8 @@ struct VisibleCell {
     TriangleRows rows;
     CellMap map;
     CellFilter filter;
-    Vec<2> low, high;  // corners of its box in the source
-    int part = 0;      // of the mesh, where parts are blended
+    Vec2 low, high;  // corners of its box in the source
+    int part = 0;    // of the mesh, where parts are blended
     BlendMode blend = BlendMode::Normal;
 };
 
@@ -57,7 +57,7 @@ struct WarpJob {
     OutlinePixels outline;                      // pixels that need coverage
 
     int bands() const { return static_cast<int>(cellsOfBand.size()); }
-    Vec<2> plane(double x, double y) const { return view.origin + view.scale * Vec<2>(x, y); }
+    Vec2 plane(double x, double y) const { return view.origin + view.scale * Vec2(x, y); }
 };
 
 /// Selects what of a band is painted: all, or everything but the cells.

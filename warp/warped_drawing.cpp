@@ -33,8 +33,8 @@ int decimalsFor(double pixel) {
 
 /// Takes the coordinates of a drawing's view box to its pixels.
 Affine pixelsOf(const VectorDrawing& drawing) {
-    const Vec<2> scale(drawing.width / drawing.viewBox[2], drawing.height / drawing.viewBox[3]);
-    return {Mat<2>(scale.asDiagonal()), -scale.cwiseProduct(Vec<2>(drawing.viewBox[0], drawing.viewBox[1]))};
+    const Vec2 scale(drawing.width / drawing.viewBox[2], drawing.height / drawing.viewBox[3]);
+    return {Mat2(scale.asDiagonal()), -scale.cwiseProduct(Vec2(drawing.viewBox[0], drawing.viewBox[1]))};
 }
 
 Image imageOf(const DrawnPicture& picture) {
@@ -75,7 +75,7 @@ Affine transformOf(const pugi::xml_node& node, const char* name) {
 }
 
 void setImage(pugi::xml_node node, const PlacedPng& png, const Affine& fromPixels) {
-    const Vec<2> from = fromPixels(png.at), size = fromPixels.A * Vec<2>(png.width, png.height);
+    const Vec2 from = fromPixels(png.at), size = fromPixels.A * Vec2(png.width, png.height);
     set(node, "x", numberText(from.x()));
     set(node, "y", numberText(from.y()));
     set(node, "width", numberText(size.x()));
@@ -91,7 +91,7 @@ void setImage(pugi::xml_node node, const PlacedPng& png, const Affine& fromPixel
 /// Carries the paths, paints and pictures of a drawing.
 class SvgFile::Carrier {
   public:
-    Carrier(const VectorDrawing& drawing, const Vec<2>& shift, const PlaneMap& map, const WarpToPng& warp)
+    Carrier(const VectorDrawing& drawing, const Vec2& shift, const PlaneMap& map, const WarpToPng& warp)
         : m_drawing(drawing), m_shift(shift), m_map(map), m_warp(warp) {
         m_toPixels = pixelsOf(drawing);
         m_fromPixels = m_toPixels.inverse();
@@ -117,7 +117,7 @@ class SvgFile::Carrier {
     std::string border() const {
         SvgPath path;
         for (const auto& loop : m_map.border()) {
-            for (const Vec<2>& p : loop)
+            for (const Vec2& p : loop)
                 path.push_back({path.empty() || path.back().kind == PathPiece::Kind::Close
                                     ? PathPiece::Kind::Move
                                     : PathPiece::Kind::Line,
@@ -175,12 +175,12 @@ class SvgFile::Carrier {
         set(found->second, name, transformText(back * carried * transformOf(found->second, name)));
     }
 
-    static std::vector<Vec<2>> samplesOf(const SvgPath& path) {
-        std::vector<Vec<2>> samples;
-        Vec<2> at(0, 0);
+    static std::vector<Vec2> samplesOf(const SvgPath& path) {
+        std::vector<Vec2> samples;
+        Vec2 at(0, 0);
         for (const PathPiece& piece : path) {
             if (piece.count() == 0) continue;
-            const Vec<2> to = piece.points[static_cast<std::size_t>(piece.count() - 1)];
+            const Vec2 to = piece.points[static_cast<std::size_t>(piece.count() - 1)];
             if (piece.kind != PathPiece::Kind::Move) samples.emplace_back((at + to) / 2);
             samples.push_back(to);
             at = to;
@@ -193,11 +193,11 @@ class SvgFile::Carrier {
         if (number >= m_drawing.pictures.size()) throw InputError("its reader failed");
         const DrawnPicture& picture = m_drawing.pictures[number];
         node.remove_attribute("data-picture");
-        setImage(node, m_warp(imageOf(picture), Vec<2>(picture.x, picture.y) + m_shift), m_fromPixels);
+        setImage(node, m_warp(imageOf(picture), Vec2(picture.x, picture.y) + m_shift), m_fromPixels);
     }
 
     const VectorDrawing& m_drawing;
-    Vec<2> m_shift;
+    Vec2 m_shift;
     const PlaneMap& m_map;
     const WarpToPng& m_warp;
     Affine m_toPixels, m_fromPixels;
@@ -239,8 +239,8 @@ pugi::xml_node SvgFile::begin(const SvgGroup& group, const char* kind) {
     return node;
 }
 
-void SvgFile::add(const SvgGroup& group, const VectorDrawing& drawing, const Vec<2>& shift,
-                  const PlaneMap& map, const WarpToPng& warp) {
+void SvgFile::add(const SvgGroup& group, const VectorDrawing& drawing, const Vec2& shift, const PlaneMap& map,
+                  const WarpToPng& warp) {
     pugi::xml_document own;
     if (!own.load_buffer(drawing.svg.data(), drawing.svg.size(),
                          pugi::parse_default | pugi::parse_ws_pcdata_single))
@@ -256,7 +256,7 @@ void SvgFile::add(const SvgGroup& group, const VectorDrawing& drawing, const Vec
         set(to, "clip-path", "url(#wend-shape)");
     }
     const Affine frame = m_page.fromPixels * carrier.fromPixels().inverse();
-    const bool isOwnFrame = (frame.A - Mat<2>::Identity()).norm() > 1e-9 || frame.b.norm() > 1e-9;
+    const bool isOwnFrame = (frame.A - Mat2::Identity()).norm() > 1e-9 || frame.b.norm() > 1e-9;
     if (isOwnFrame) set(to, "transform", transformText(frame));
     for (const pugi::xml_node& child : svg.children()) to.append_copy(child);
     giveOwnIds(to);

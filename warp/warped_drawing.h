@@ -18,12 +18,12 @@ inline constexpr double kCurveTolerance = 0.05;
 /// A PNG file at a place of the plane.
 struct PlacedPng {
     std::string bytes;
-    Vec<2> at = Vec<2>::Zero();
+    Vec2 at = Vec2::Zero();
     int width = 0, height = 0;
 };
 
 /// Carries a picture with its first pixel at that place at rest.
-using WarpToPng = std::function<PlacedPng(const Image& picture, const Vec<2>& at)>;
+using WarpToPng = std::function<PlacedPng(const Image& picture, const Vec2& at)>;
 
 /// A drawing, or a picture in the place of one, in an SVG file.
 struct SvgGroup {
@@ -47,7 +47,7 @@ class SvgFile {
     explicit SvgFile(const SvgPage& page);
 
     /// Adds a drawing whose pixels are at `shift` at rest, carried by a map.
-    void add(const SvgGroup& group, const VectorDrawing& drawing, const Vec<2>& shift, const PlaneMap& map,
+    void add(const SvgGroup& group, const VectorDrawing& drawing, const Vec2& shift, const PlaneMap& map,
              const WarpToPng& warp);
     void add(const SvgGroup& group, const PlacedPng& png);
     std::string text() const;

@@ -46,7 +46,7 @@ int threadsFor(const WarpOptions& options, std::size_t pieces) {
     return std::clamp(wanted, 1, static_cast<int>(std::max<std::size_t>(1, pieces)));
 }
 
-void requireFinite(const Points<2>& pose) {
+void requireFinite(const Points2& pose) {
     if (!pose.allFinite()) throw InputError("the shape has a vertex that is not a finite number");
 }
 
@@ -79,7 +79,7 @@ Image warpedHeader(const Image& source, const View& view, const WarpOptions& opt
                     hasFrame ? options.frameHeight : source.height)};
 }
 
-bool visible(const Points<2>& pixels, const Cell<2>& cell, const View& view) {
+bool visible(const Points2& pixels, const Cell<2>& cell, const View& view) {
     const auto corners = [&](int row) {
         return std::minmax({pixels(row, cell[0]), pixels(row, cell[1]), pixels(row, cell[2])});
     };
@@ -88,11 +88,11 @@ bool visible(const Points<2>& pixels, const Cell<2>& cell, const View& view) {
     return left < view.width && right > 0 && top < bottom && top < view.height && bottom > 0;
 }
 
-VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const Points<2>& pose,
-                        const Points<2>& pixels, const Cell<2>& cell, int levels) {
+VisibleCell visibleCell(const WarpJob& job, const SimplicialMesh<2>& rest, const Points2& pose,
+                        const Points2& pixels, const Cell<2>& cell, int levels) {
     const TriangleRows rows(pixels.col(cell[0]), pixels.col(cell[1]), pixels.col(cell[2]));
     const CellMap map(rest.points, pose, cell);
-    const Mat<2> jacobian = job.view.scale * (Mat<2>::Identity() - map.gradient);
+    const Mat2 jacobian = job.view.scale * (Mat2::Identity() - map.gradient);
     const auto corner = [&](int k) { return rest.points.col(cell[static_cast<std::size_t>(k)]); };
     return {rows, map, CellFilter(jacobian, job.options.filter, levels),
             corner(0).cwiseMin(corner(1)).cwiseMin(corner(2)),
@@ -112,8 +112,8 @@ constexpr std::size_t kCellsOfPiece = 1500;  // in less time no thread has begun
 
 /// Returns the visible cells in the order of painting.
 std::vector<VisibleCell> visibleCells(const WarpJob& job, const PaintingPlan& plan,
-                                      const SimplicialMesh<2>& rest, const Points<2>& pose,
-                                      const Points<2>& pixels, int levels) {
+                                      const SimplicialMesh<2>& rest, const Points2& pose,
+                                      const Points2& pixels, int levels) {
     const std::size_t pieces = (plan.order.size() + kCellsOfPiece - 1) / kCellsOfPiece;
     std::vector<std::vector<VisibleCell>> found(pieces);
     std::atomic<std::size_t> next = 0;
@@ -149,7 +149,7 @@ void sortIntoBands(WarpJob& job) {
 
 /// The job without its source; `levels`: what the source's pyramid has, or might have.
 std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const SimplicialMesh<2>& rest,
-                                 const Points<2>& pose, const View& view, const WarpOptions& options) {
+                                 const Points2& pose, const View& view, const WarpOptions& options) {
     requireFinite(pose);
     auto job = std::make_unique<WarpJob>();
     job->view = view;
@@ -157,10 +157,10 @@ std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const Simplici
     job->header = warpedHeader(source, view, options, false);
     job->atRest = options.restMargin > 0 && source.alpha && options.outside == Outside::Transparent &&
                   isAtRest(source, rest, pose, view);
-    job->outsideFilter = CellFilter(view.scale * Mat<2>::Identity(), options.filter, levels);
+    job->outsideFilter = CellFilter(view.scale * Mat2::Identity(), options.filter, levels);
     const int bands = view.width > 0 ? (std::max(view.height, 0) + kBandRows - 1) / kBandRows : 0;
     job->cellsOfBand.resize(static_cast<std::size_t>(bands));
-    const Points<2> pixels = (pose.colwise() - view.origin) / view.scale;
+    const Points2 pixels = (pose.colwise() - view.origin) / view.scale;
     const auto plan = options.plan ? options.plan : std::make_shared<PaintingPlan>(rest, options.depth);
     job->cells = visibleCells(*job, *plan, rest, pose, pixels, levels);
     sortIntoBands(*job);
@@ -215,13 +215,13 @@ int deepestLevel(const WarpJob& job) {
 }  // namespace
 
 CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight) {
-    const Vec<2> whole = view.origin.array().round();
-    const bool isOwn = whole == Vec<2>::Zero() && view.width == sourceWidth && view.height == sourceHeight;
+    const Vec2 whole = view.origin.array().round();
+    const bool isOwn = whole == Vec2::Zero() && view.width == sourceWidth && view.height == sourceHeight;
     if (isOwn || view.scale != 1 || whole != view.origin || whole.cwiseAbs().maxCoeff() > 1e6) return {};
     return {static_cast<int>(whole.x()), static_cast<int>(whole.y()), sourceWidth, sourceHeight};
 }
 
-WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
+WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose,
                              const View& view, const WarpOptions& options)
     : m_job(makeJob(source, Pyramid::levelsOf(source.width, source.height), rest, pose, view, options)) {
     m_pyramid.emplace(colouredAsNeeded(source, options), deepestLevel(*m_job));
@@ -229,7 +229,7 @@ WarpedPicture::WarpedPicture(const Image& source, const SimplicialMesh<2>& rest,
     if (options.makePainter && options.blends.empty()) m_painter = options.makePainter(*m_job);
 }
 
-WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
+WarpedPicture::WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose,
                              const View& view, const WarpOptions& options)
     : m_job(makeJob(source.base(), source.levels(), rest, pose, view, options)) {
     if (needsColours(source.base(), options))

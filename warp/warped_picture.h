@@ -15,10 +15,10 @@ class WarpedPicture {
   public:
     /// Makes those levels of the picture's pyramid that the warp needs. Throws InputError for a shape that is
     /// not finite.
-    WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+    WarpedPicture(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                   const WarpOptions& options);
-    WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points<2>& pose,
-                  const View& view, const WarpOptions& options);
+    WarpedPicture(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
+                  const WarpOptions& options);
     ~WarpedPicture();
 
     /// Size, layout and metadata; no pixels. A picture without alpha gets one only if some pixel is not

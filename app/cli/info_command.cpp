@@ -159,7 +159,7 @@ void saveSuspects(const MeshFile& file, const MeshInspection& inspection, const 
     files.commit();
 }
 
-Json vectorOf(const Vec<3>& v) {
+Json vectorOf(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 

@@ -61,7 +61,7 @@ Region<3> inProportion(Region<3> region, const Proportion& proportion) {
     std::visit(
         [&]<class Shape>(Shape& shape) {
             if constexpr (std::is_same_v<Shape, Polygon>) {
-                for (Vec<2>& p : shape.points) p = inPlane(proportion(inSpace(p)));
+                for (Vec2& p : shape.points) p = inPlane(proportion(inSpace(p)));
             } else if constexpr (std::is_same_v<Shape, Ball<3>>) {
                 carry(shape.centre);
                 shape.radius *= proportion.scale;
@@ -83,10 +83,10 @@ std::optional<Vec3> middleOf(const Region<3>& region) {
     return std::visit(
         []<class Shape>(const Shape& shape) -> std::optional<Vec3> {
             if constexpr (std::is_same_v<Shape, Polygon>) {
-                Vec<2> sum = Vec<2>::Zero();
-                for (const Vec<2>& p : shape.points) sum += p;
+                Vec2 sum = Vec2::Zero();
+                for (const Vec2& p : shape.points) sum += p;
                 return inSpace(
-                    Vec<2>(sum / static_cast<double>(std::max<std::size_t>(shape.points.size(), 1))));
+                    Vec2(sum / static_cast<double>(std::max<std::size_t>(shape.points.size(), 1))));
             } else if constexpr (std::is_same_v<Shape, Ball<3>>) {
                 return shape.centre;
             } else if constexpr (std::is_same_v<Shape, Box<3>>) {

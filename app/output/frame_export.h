@@ -45,7 +45,7 @@ class FrameExport {
     /// The picture that the shape carries, or null; rest and pose are in its pixels.
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
-    const Points<2>& poseInPixels() const { return m_pose; }
+    const Points2& poseInPixels() const { return m_pose; }
     /// Returns the source position of every pixel of the picture.
     Image stMapOf(const View& view) const;
     const std::vector<float>& depths() const { return m_depths; }
@@ -82,7 +82,7 @@ class FrameExport {
     std::shared_ptr<const Image> m_picture;
     std::shared_ptr<const SimplicialMesh<2>> m_rest, m_source;  // the second: see sourceRest()
     std::array<int, 2> m_size{};                                // of the plane that is rendered
-    Points<2> m_pose;
+    Points2 m_pose;
     std::vector<BlendMode> m_blends;
     std::vector<int> m_levels;    // of parts: see partLevels()
     std::vector<float> m_depths;  // per cell: see WarpOptions

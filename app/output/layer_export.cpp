@@ -13,10 +13,10 @@
 
 namespace wend {
 
-PixelBox visibleBox(const View& view, const Points<2>& pixels, const std::vector<Cell<2>>& cells) {
+PixelBox visibleBox(const View& view, const Points2& pixels, const std::vector<Cell<2>>& cells) {
     const Extent<2> extent = extentOf<2>(pixels, cells);
-    const Vec<2> low = ((extent.low - view.origin) / view.scale).array().floor() - 1;
-    const Vec<2> high = ((extent.high - view.origin) / view.scale).array().ceil() + 1;
+    const Vec2 low = ((extent.low - view.origin) / view.scale).array().floor() - 1;
+    const Vec2 high = ((extent.high - view.origin) / view.scale).array().ceil() + 1;
     const auto inside = [](double value, int size) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
     };
@@ -35,14 +35,14 @@ std::vector<float> partDepths(const std::vector<float>& all, const MeshPart& par
     return {all.begin() + part.firstCell, all.begin() + part.endCell};
 }
 
-LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points<2>& pixels, const View& view,
+LayerToWrite warpedPart(const Texture& texture, std::size_t k, const Points2& pixels, const View& view,
                         WarpOptions options) {
     const MeshPart& part = texture.drawn->parts[k];
     const Sheet& sheet = texture.sheets[k];
     SimplicialMesh<2> mesh{texture.drawn->points.colwise() - sheet.at, partCells(*texture.drawn, part)};
     const PixelBox box = visibleBox(view, pixels, mesh.cells);
     View own = view;
-    own.origin += view.scale * Vec<2>(box.x, box.y);
+    own.origin += view.scale * Vec2(box.x, box.y);
     own.width = std::max(1, box.width), own.height = std::max(1, box.height);
     options.depth = partDepths(options.depth, part);
     options.blends.clear();
@@ -74,7 +74,7 @@ bool getsPartChannels(const std::string& path, const Shape<2>& shape) {
     return lowerExtension(path) == ".exr" && shape.texture && shape.texture->sheets.size() > 1;
 }
 
-std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points<2>& pixels, const View& view,
+std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points2& pixels, const View& view,
                                         const std::vector<float>& depth) {
     const SimplicialMesh<2>& rest = sourceRest(shape);
     const auto [width, height] = canvasSize(shape);
@@ -86,7 +86,7 @@ std::vector<LayerToWrite> stMapsOfParts(const Shape<2>& shape, const Points<2>& 
     return maps;
 }
 
-std::vector<LayerToWrite> warpedLayers(const Shape<2>& shape, const Points<2>& pixels,
+std::vector<LayerToWrite> warpedLayers(const Shape<2>& shape, const Points2& pixels,
                                        const std::vector<int>& levels, const View& view,
                                        const WarpOptions& options) {
     std::vector<LayerToWrite> layers;

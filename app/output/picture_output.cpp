@@ -56,7 +56,7 @@ PoseFile::PoseFile(const std::string& path)
       m_stream((fs::path(m_folder.path()) / "poses").string(),
                std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc) {}
 
-void PoseFile::add(const Points<2>& pose) {
+void PoseFile::add(const Points2& pose) {
     m_columns = pose.cols();
     m_stream.write(reinterpret_cast<const char*>(pose.data()),
                    static_cast<std::streamsize>(sizeof(double)) * pose.size());
@@ -66,8 +66,8 @@ void PoseFile::add(const Points<2>& pose) {
     ++m_count;
 }
 
-Points<2> PoseFile::read(int k) {
-    Points<2> pose(2, m_columns);
+Points2 PoseFile::read(int k) {
+    Points2 pose(2, m_columns);
     const auto bytes = static_cast<std::streamsize>(sizeof(double)) * pose.size();
     m_stream.seekg(k * bytes);  // which writes what is still buffered
     m_stream.read(reinterpret_cast<char*>(pose.data()), bytes);
@@ -89,10 +89,10 @@ PictureOutput::PictureOutput(const Project& project, const std::string& path, co
       m_files(files),
       m_films(files, std::move(film)) {}
 
-void PictureOutput::write(double time, const Points<2>& pose) {
+void PictureOutput::write(double time, const Points2& pose) {
     const RunOutputs& outputs = m_options.outputs;
     if (outputs.image.empty() && outputs.stMap.empty()) return;
-    const Points<2> pixels = inPixels(m_shape, pose);
+    const Points2 pixels = inPixels(m_shape, pose);
     const auto size = canvasSize(m_shape);
     const View view = canvasView(size, extent(pixels), m_options.canvas);
     m_canvas = view;
@@ -125,8 +125,8 @@ void PictureOutput::writeMaterial() {
             });
 }
 
-void PictureOutput::takeFrame(int number, double time, const Points<2>& pose) {
-    const Points<2> pixels = inPixels(m_shape, pose);
+void PictureOutput::takeFrame(int number, double time, const Points2& pose) {
+    const Points2 pixels = inPixels(m_shape, pose);
     const Extent<2> shape = extent(pixels);
     if (m_options.canvas.kind != Canvas::Fit)
         return writeFrame(number, time, pixels,
@@ -178,7 +178,7 @@ WarpOptions PictureOutput::warpOptions(double time, const std::function<void(dou
 }
 
 /// Returns the picture at a time in the pixels of `view`.
-WarpedPicture PictureOutput::warped(double time, const Points<2>& pixels, const View& view,
+WarpedPicture PictureOutput::warped(double time, const Points2& pixels, const View& view,
                                     const std::function<void(double)>& progress) {
     WarpOptions options = warpOptions(time, progress);
     if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
@@ -191,11 +191,11 @@ std::function<void(double)> PictureOutput::warping(double from, double to) const
     return [this, from, to](double done) { m_watch.progress("warping", from + (to - from) * done); };
 }
 
-Extent<2> PictureOutput::extent(const Points<2>& pixels) const {
+Extent<2> PictureOutput::extent(const Points2& pixels) const {
     return extentOf<2>(pixels, restInPixels(m_shape).cells);
 }
 
-void PictureOutput::writeParts(const std::string& file, double time, const Points<2>& pixels,
+void PictureOutput::writeParts(const std::string& file, double time, const Points2& pixels,
                                const View& view) {
     const WarpOptions options = warpOptions(time, {});
     const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
@@ -204,8 +204,7 @@ void PictureOutput::writeParts(const std::string& file, double time, const Point
     writeLayers(file, layers, merged, m_options.depth);
 }
 
-void PictureOutput::writeSvg(const std::string& file, double time, const Points<2>& pixels,
-                             const View& view) {
+void PictureOutput::writeSvg(const std::string& file, double time, const Points2& pixels, const View& view) {
     if (!m_svg) m_svg.emplace(m_project, folderOf(m_path), m_watch.notice);
     const auto levels = partLevels(domainOf(m_project).parts, *drawnRest(m_shape), time);
     writeTextFile(file, m_svg->text(m_shape, pixels, levels, view, warpOptions(time, {})));
@@ -215,7 +214,7 @@ void PictureOutput::writePicture(const std::string& file, const WarpedPicture& p
     writeWarped(file, picture, m_options.depth, m_options.lossy);
 }
 
-void PictureOutput::writeFrame(int number, double time, const Points<2>& pixels, const View& view,
+void PictureOutput::writeFrame(int number, double time, const Points2& pixels, const View& view,
                                const std::function<void(double)>& progress) {
     m_canvas = view;
     const FileNames numbered = m_options.outputs.numberedFrames();

@@ -54,10 +54,10 @@ class PoseFile {
     explicit PoseFile(const std::string& path);
 
     /// Appends a pose; all have one size. Throws InputError when the disk is full.
-    void add(const Points<2>& pose);
+    void add(const Points2& pose);
     int count() const { return m_count; }
     /// Returns the k-th pose, bit for bit.
-    Points<2> read(int k);
+    Points2 read(int k);
 
   private:
     std::string m_path;
@@ -76,11 +76,11 @@ class PictureOutput {
                   OutputSet& files, FilmOptions film);
 
     /// Writes the pictures and ST maps of a pose (2 × n) at a time. Throws InputError and Cancelled.
-    void write(double time, const Points<2>& pose);
+    void write(double time, const Points2& pose);
     void writeMaterial();
     /// Writes a frame, or keeps its pose until all frames are known, for a canvas that fits them. Throws
     /// InputError and Cancelled.
-    void takeFrame(int number, double time, const Points<2>& pose);
+    void takeFrame(int number, double time, const Points2& pose);
     /// Limits the frames that takeFrame() keeps and writes later to those from `begin` to before `end`.
     void setShare(int begin, int end) { m_share = {begin, end}; }
     /// Writes the frames that takeFrame() has kept. Throws InputError and Cancelled.
@@ -95,14 +95,14 @@ class PictureOutput {
 
   private:
     WarpOptions warpOptions(double time, const std::function<void(double)>& progress);
-    WarpedPicture warped(double time, const Points<2>& pixels, const View& view,
+    WarpedPicture warped(double time, const Points2& pixels, const View& view,
                          const std::function<void(double)>& progress);
     std::function<void(double)> warping(double from, double to) const;
-    Extent<2> extent(const Points<2>& pixels) const;
-    void writeParts(const std::string& file, double time, const Points<2>& pixels, const View& view);
-    void writeSvg(const std::string& file, double time, const Points<2>& pixels, const View& view);
+    Extent<2> extent(const Points2& pixels) const;
+    void writeParts(const std::string& file, double time, const Points2& pixels, const View& view);
+    void writeSvg(const std::string& file, double time, const Points2& pixels, const View& view);
     void writePicture(const std::string& file, const WarpedPicture& picture) const;
-    void writeFrame(int number, double time, const Points<2>& pixels, const View& view,
+    void writeFrame(int number, double time, const Points2& pixels, const View& view,
                     const std::function<void(double)>& progress);
     void tell(const std::string& work, double fraction) const;
 

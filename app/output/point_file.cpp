@@ -85,7 +85,7 @@ class PointTable::Reader {
             throw InputError(std::string("has no row of ") +
                              (m_table.m_dimension == 2 ? "2 numbers (x, y)" : "3 numbers (x, y, z)"));
         const auto count = static_cast<Eigen::Index>(m_values.size()) / m_table.m_dimension;
-        m_table.m_points = Points<3>::Zero(3, count);
+        m_table.m_points = Points3::Zero(3, count);
         m_table.m_points.topRows(m_table.m_dimension) =
             Eigen::Map<const Eigen::MatrixXd>(m_values.data(), m_table.m_dimension, count);
     }
@@ -188,7 +188,7 @@ PointTable::PointTable(std::string text, int dimension) : m_text(std::move(text)
     Reader(*this).read();
 }
 
-std::string PointTable::withPoints(const Points<3>& points) const {
+std::string PointTable::withPoints(const Points3& points) const {
     std::string text;
     text.reserve(m_text.size() + 8 * m_fields.size());
     std::size_t at = 0;
@@ -211,7 +211,7 @@ bool isPointTable(const std::string& path) {
     return std::ranges::find(kKnown, extension) != kKnown.end();
 }
 
-std::string pointTableText(const Points<3>& points, int dimension, bool commas) {
+std::string pointTableText(const Points3& points, int dimension, bool commas) {
     std::string text;
     if (commas) text = dimension == 2 ? "x,y\n" : "x,y,z\n";
     for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -240,7 +240,7 @@ PointFile::PointFile(const std::string& path, int dimension) try : m_path(path),
     throw error.named(path);
 }
 
-const Points<3>& PointFile::points() const {
+const Points3& PointFile::points() const {
     return m_table ? m_table->points() : m_mesh->points;
 }
 
@@ -265,8 +265,7 @@ std::string PointFile::lostIn(const std::string& path, const MeshWriteOptions& o
                         : std::to_string(columns) + " columns beside the coordinates are not in a mesh file";
 }
 
-void PointFile::write(const std::string& path, const Points<3>& points,
-                      const MeshWriteOptions& options) const {
+void PointFile::write(const std::string& path, const Points3& points, const MeshWriteOptions& options) const {
     if (isTable(path) && m_table) return writeTextFile(path, m_table->withPoints(points));
     if (isTable(path))
         return writeTextFile(path, pointTableText(points, m_dimension, lowerExtension(path) == ".csv"));
@@ -277,7 +276,7 @@ void PointFile::write(const std::string& path, const Points<3>& points,
         return writeSkin(path, skin, points, {}, options);
     }
     MeshFile file = m_mesh ? *m_mesh : MeshFile();
-    const Points<3> before = this->points();
+    const Points3 before = this->points();
     file.points = points;
     turnNormals(before, file);
     if (file.cells.empty() && file.triangles.empty() && file.tetrahedra.empty()) addVertexCells(file);
@@ -375,7 +374,7 @@ void MappedPoints<Dim>::write(double time, const Points<Dim>& pose, OutputSet& f
         } else {
             own = m_maps[k].mapped(bent);
         }
-        const Points<3> points = inSpace(m_shape, file.points(), own);
+        const Points3 points = inSpace(m_shape, file.points(), own);
         files.add(m_options.outputs.points[k].out, ".csv",
                   [&](const std::string& to) { file.write(to, points, m_options.meshes); });
     }

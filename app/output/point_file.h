@@ -29,11 +29,11 @@ class PointTable {
     PointTable(std::string text, int dimension);
 
     /// Returns the points; without a third coordinate, z is 0.
-    const Points<3>& points() const { return m_points; }
+    const Points3& points() const { return m_points; }
     /// Returns the number of columns beside the coordinates.
     int furtherColumns() const { return m_furtherColumns; }
     /// Returns the text with other points, in 17 significant digits.
-    std::string withPoints(const Points<3>& points) const;
+    std::string withPoints(const Points3& points) const;
 
   private:
     struct Field {
@@ -44,14 +44,14 @@ class PointTable {
     std::string m_text;
     int m_dimension, m_furtherColumns = 0;
     std::vector<Field> m_fields;  // of the coordinates, point by point
-    Points<3> m_points;
+    Points3 m_points;
 };
 
 /// True for names of such files: .csv, .tsv, .txt, .xyz and .dat.
 bool isPointTable(const std::string& path);
 
 /// Returns the points as such a text: in a .csv file below the header "x,y[,z]", elsewhere between blanks.
-std::string pointTableText(const Points<3>& points, int dimension, bool commas);
+std::string pointTableText(const Points3& points, int dimension, bool commas);
 
 /// Points that are mapped by a deformation: the rows of a text (see PointTable), or the vertices of a mesh,
 /// which may have no cells.
@@ -61,13 +61,13 @@ class PointFile {
     PointFile(const std::string& path, int dimension);
 
     const std::string& path() const { return m_path; }
-    const Points<3>& points() const;
+    const Points3& points() const;
     /// Throws InputError if they cannot be written to a file of that name.
     void requireHeldBy(const std::string& path) const;
     /// Returns what such a file does not hold, in one line; empty if it holds all.
     std::string lostIn(const std::string& path, const MeshWriteOptions& options) const;
     /// Writes a file of that name with the points in other places. Throws InputError.
-    void write(const std::string& path, const Points<3>& points, const MeshWriteOptions& options) const;
+    void write(const std::string& path, const Points3& points, const MeshWriteOptions& options) const;
 
   private:
     std::string m_path;

@@ -158,8 +158,8 @@ std::string qualityJson(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose
                     {"after", shapesJson(cellShapes<Dim>(pose, rest.cells))}};
     return json.dump();
 }
-template std::string qualityJson<2>(const SimplicialMesh<2>&, const Points<2>&);
-template std::string qualityJson<3>(const SimplicialMesh<3>&, const Points<3>&);
+template std::string qualityJson<2>(const SimplicialMesh<2>&, const Points2&);
+template std::string qualityJson<3>(const SimplicialMesh<3>&, const Points3&);
 
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration) {
     const std::string steps = std::to_string(statistics.steps) + (statistics.steps == 1 ? " step" : " steps");

@@ -30,7 +30,7 @@ std::vector<std::vector<int>> outlinesOf(const std::vector<Cell<2>>& triangles) 
     return outlines;
 }
 
-double lengthOf(const std::vector<int>& outline, const Points<2>& points) {
+double lengthOf(const std::vector<int>& outline, const Points2& points) {
     double length = 0;
     for (std::size_t i = 0; i < outline.size(); ++i)
         length += (points.col(outline[(i + 1) % outline.size()]) - points.col(outline[i])).norm();
@@ -79,7 +79,7 @@ std::vector<int> orderOf(const std::vector<int>& levels) {
 
 }  // namespace
 
-Rig makeRig(const Shape<2>& shape, const std::vector<Points<2>>& poses, const std::vector<float>& depth,
+Rig makeRig(const Shape<2>& shape, const std::vector<Points2>& poses, const std::vector<float>& depth,
             const std::vector<std::vector<int>>& levels, double framesPerSecond) {
     const auto [width, height] = canvasSize(shape);
     const SimplicialMesh<2>& inTexture = restInPixels(shape);

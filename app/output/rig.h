@@ -22,18 +22,18 @@ struct RigPart {
 /// time. Coordinates are pixels, y down.
 struct Rig {
     std::shared_ptr<const Image> texture;
-    Points<2> texturePoints;  // of all vertices, in pixels of the texture
+    Points2 texturePoints;  // of all vertices, in pixels of the texture
     int width = 0, height = 0;
     std::vector<RigPart> parts;            // the hindmost first, as in the first frame
     std::vector<std::vector<int>> orders;  // per frame: the parts, the hindmost first
-    Points<2> rest;                        // of all vertices
-    std::vector<Points<2>> poses;          // per frame
+    Points2 rest;                          // of all vertices
+    std::vector<Points2> poses;            // per frame
     double framesPerSecond = 24;
 };
 
 /// Returns the rig of a shape with a picture. `poses` are in domain coordinates. `depth` are those of cells
 /// (see WarpOptions), and `levels` those of parts in each frame (see partLevels()).
-Rig makeRig(const Shape<2>& shape, const std::vector<Points<2>>& poses, const std::vector<float>& depth,
+Rig makeRig(const Shape<2>& shape, const std::vector<Points2>& poses, const std::vector<float>& depth,
             const std::vector<std::vector<int>>& levels, double framesPerSecond);
 
 /// Returns the frames at which the order of the parts changes, after the first.

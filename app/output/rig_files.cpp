@@ -29,7 +29,7 @@ double rounded(double pixels) {
 }
 
 /// Returns coordinates one after another; `up` is 1 where y is down, and −1 where it is up.
-Json flat(const Points<2>& points, const std::vector<int>& vertices, double up) {
+Json flat(const Points2& points, const std::vector<int>& vertices, double up) {
     Json values = Json::array();
     for (const int v : vertices) {
         values.push_back(rounded(points(0, v)));
@@ -64,8 +64,8 @@ Json hullEdges(const RigPart& part, int factor) {
     return values;
 }
 
-Points<2> yUp(const Points<2>& points, int height) {
-    Points<2> turned = points;
+Points2 yUp(const Points2& points, int height) {
+    Points2 turned = points;
     turned.row(1) = height - points.row(1).array();
     return turned;
 }
@@ -90,7 +90,7 @@ void writeTexture(const std::string& file, const Rig& rig) {
 
 Json spineSkeleton(const Rig& rig, const std::string& region) {
     Json slots = Json::array(), attachments = Json::object(), keys = Json::object();
-    const Points<2> rest = yUp(rig.rest, rig.height);
+    const Points2 rest = yUp(rig.rest, rig.height);
     for (const RigPart& part : rig.parts) {
         Json slot = {{"name", part.name}, {"bone", "root"}, {"attachment", part.name}};
         if (part.blend != BlendMode::Normal)
@@ -235,16 +235,16 @@ void writeDragonBones(const std::string& path, const Rig& rig, OutputSet& files)
 constexpr double kPixelsPerUnit = 1000;
 
 /// Returns vertices part by part in space, for an order of the parts.
-Points<3> layered(const Rig& rig, const Points<2>& pose, const std::vector<int>& order) {
+Points3 layered(const Rig& rig, const Points2& pose, const std::vector<int>& order) {
     const double step = std::max(rig.width, rig.height) / 1000.0;
     std::vector<double> heights(rig.parts.size());
     for (std::size_t k = 0; k < order.size(); ++k)
         heights[static_cast<std::size_t>(order[k])] = step * static_cast<double>(k);
-    std::vector<Vec<3>> points;
+    std::vector<Vec3> points;
     for (std::size_t i = 0; i < rig.parts.size(); ++i)
         for (const int v : rig.parts[i].vertices)
             points.emplace_back(pose(0, v), rig.height - pose(1, v), heights[i]);
-    Points<3> all(3, static_cast<Eigen::Index>(points.size()));
+    Points3 all(3, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = points[i];
     return all / kPixelsPerUnit;
 }
@@ -257,9 +257,9 @@ GltfScene sceneOf(const Rig& rig, const std::string& texture) {
     int first = 0;
     for (const RigPart& part : rig.parts) {
         for (std::size_t k = 0; k < part.vertices.size(); ++k) {
-            const Vec<2> at = rig.texturePoints.col(part.vertices[k]);
+            const Vec2 at = rig.texturePoints.col(part.vertices[k]);
             scene.uv.col(first + static_cast<Eigen::Index>(k)) =
-                Vec<2>(at.x() / rig.texture->width, 1 - at.y() / rig.texture->height);
+                Vec2(at.x() / rig.texture->width, 1 - at.y() / rig.texture->height);
         }
         for (const Cell<2>& t : part.triangles) {  // reflected by y up
             scene.triangles.push_back({first + t[0], first + t[2], first + t[1]});

@@ -325,7 +325,7 @@ class Run {
         const bool rounds =
             lowerExtension(path) == ".stl" && m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
         if (!rounds) return;
-        Points<3> points = Points<3>::Zero(3, pose.cols());
+        Points3 points = Points3::Zero(3, pose.cols());
         points.topRows<Dim>() = pose;
         if (const std::string text = roundingText(points); !text.empty()) m_watch.notice(path + ": " + text);
         if (Dim == 3) return;

@@ -160,11 +160,11 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
 namespace {
 
 /// The size in pixels that are written, each of which is `scale` pixels of the plane wide.
-Vec<2> scaled(const Vec<2>& size, const CanvasChoice& canvas, double& scale) {
+Vec2 scaled(const Vec2& size, const CanvasChoice& canvas, double& scale) {
     if (!canvas.isScaled()) return size;
     const double factor = canvas.width > 0 ? canvas.width / size.x() : canvas.scale;
     const double unit = canvas.even ? 2 : 1;
-    const Vec<2> pixels = ((size * factor / unit).array().round() * unit).max(unit);
+    const Vec2 pixels = ((size * factor / unit).array().round() * unit).max(unit);
     scale = size.x() / pixels.x();
     return pixels;
 }
@@ -172,14 +172,14 @@ Vec<2> scaled(const Vec<2>& size, const CanvasChoice& canvas, double& scale) {
 }  // namespace
 
 View canvasView(const std::array<int, 2>& canvasSize, const Extent<2>& shape, const CanvasChoice& canvas) {
-    View view{canvasSize[0], canvasSize[1], Vec<2>::Zero(), 1};
+    View view{canvasSize[0], canvasSize[1], Vec2::Zero(), 1};
     if (canvas.kind == Canvas::Picture && !canvas.isScaled()) return view;
     const bool fits = canvas.kind == Canvas::Fit;
     const PixelRect& part = canvas.part;
-    if (canvas.kind == Canvas::Part) view.origin = Vec<2>(part.x, part.y);
+    if (canvas.kind == Canvas::Part) view.origin = Vec2(part.x, part.y);
     if (fits) view.origin = shape.low.array().floor();
-    Vec<2> size(canvasSize[0], canvasSize[1]);
-    if (canvas.kind == Canvas::Part) size = Vec<2>(part.width, part.height);
+    Vec2 size(canvasSize[0], canvasSize[1]);
+    if (canvas.kind == Canvas::Part) size = Vec2(part.width, part.height);
     if (fits) size = (shape.high.array().ceil().matrix() - view.origin).cwiseMax(1);
     if (fits && canvas.even) size = (size / 2).array().ceil() * 2;
     size = scaled(size, canvas, view.scale);
@@ -210,7 +210,7 @@ std::string velocityTable(const Points<Dim>& pose, const Points<Dim>& velocity) 
     return text;
 }
 
-template std::string velocityTable<2>(const Points<2>&, const Points<2>&);
-template std::string velocityTable<3>(const Points<3>&, const Points<3>&);
+template std::string velocityTable<2>(const Points2&, const Points2&);
+template std::string velocityTable<3>(const Points3&, const Points3&);
 
 }  // namespace wend

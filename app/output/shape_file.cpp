@@ -87,10 +87,10 @@ MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
     MeshField carried{field.name, false, field.components, {}};
     const int count = shape.exported().vertexCount();
     carried.values.resize(static_cast<std::size_t>(count) * field.components);
-    Points<3> one = Points<3>::Zero(3, shape.rest->vertexCount());
+    Points3 one = Points3::Zero(3, shape.rest->vertexCount());
     for (int k = 0; k < field.components; ++k) {
         for (int v = 0; v < shape.rest->vertexCount(); ++v) one(0, v) = values[v * field.components + k];
-        const Points<3> there = shape.exportedEmbedding().interpolate(*shape.rest, one);
+        const Points3 there = shape.exportedEmbedding().interpolate(*shape.rest, one);
         for (int v = 0; v < count; ++v) carried.values[v * field.components + k] = there(0, v);
     }
     return carried;
@@ -113,10 +113,10 @@ void turnFields(const PlaneFrame& plane, std::vector<MeshField>& fields) {
 /// Moves the nodes between the corners of cells, and those of separate lines and vertices, as the shape
 /// around them.
 template <int Dim>
-void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points<3>& before, MeshFile& file) {
+void carryNodes(const Shape<Dim>& shape, const Points<Dim>& pose, const Points3& before, MeshFile& file) {
     const std::vector<int> nodes = carriedNodes(file);
     if (nodes.empty()) return;
-    const Points<3> there = before(Eigen::all, nodes);
+    const Points3 there = before(Eigen::all, nodes);
     const Points<Dim> rest = ownCoordinates(shape, there);
     file.points(Eigen::all, nodes) =
         inSpace(shape, there, Points<Dim>(Embedding<Dim>(*shape.rest, rest).carry(*shape.rest, pose)));
@@ -165,7 +165,7 @@ MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose, const std::v
     if (file.points.cols() != pose.cols())
         throw InputError("the mesh has " + std::to_string(file.points.cols()) + " vertices, its pose " +
                          std::to_string(pose.cols()));
-    const Points<3> before = file.points;
+    const Points3 before = file.points;
     file.points = inSpace(shape, before, pose);
     carryNodes<Dim>(shape, pose, before, file);
     turnNormals(before, file);
@@ -267,11 +267,11 @@ bool isSkinFile(const std::string& path) {
     return std::ranges::count(skinFileExtensions(), lowerExtension(path)) > 0;
 }
 
-void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points3>& poses,
                     double framesPerSecond) {
-    std::vector<Points<3>> carried;
+    std::vector<Points3> carried;
     std::vector<double> times;
-    for (const Points<3>& pose : poses) {
+    for (const Points3& pose : poses) {
         times.push_back(static_cast<double>(times.size()) / framesPerSecond);
         carried.push_back(shape.embedding->carry(*shape.rest, pose));
     }

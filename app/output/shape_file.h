@@ -74,7 +74,7 @@ bool knowsEncodings(const std::string& path);
 bool isSkinFile(const std::string& path);
 
 /// Writes consecutive poses to one file as morph targets of a .glb, `framesPerSecond` of them a second.
-void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points<3>>& poses,
+void writeAnimation(const std::string& path, const Shape<3>& shape, const std::vector<Points3>& poses,
                     double framesPerSecond);
 
 /// Returns a ParaView collection (.pvd) of files in the same folder.

@@ -25,7 +25,7 @@
 namespace wend {
 namespace {
 
-PlacedPng placedPng(const Image& picture, const Vec<2>& at) {
+PlacedPng placedPng(const Image& picture, const Vec2& at) {
     const Image image = converted(picture, {PixelType::UInt8, 4, true, true});
     PngPixels pixels{image.width, image.height, 8, 3, true, {}};
     pixels.rows.assign(reinterpret_cast<const char*>(image.data.data()), image.data.size());
@@ -41,8 +41,8 @@ View unscaled(View view) {
 }
 
 /// Carries a picture by the cells that have some of it.
-PlacedPng warpedPicture(const Image& picture, const Vec<2>& at, const SimplicialMesh<2>& rest,
-                        const Points<2>& pixels, const View& view, WarpOptions options) {
+PlacedPng warpedPicture(const Image& picture, const Vec2& at, const SimplicialMesh<2>& rest,
+                        const Points2& pixels, const View& view, WarpOptions options) {
     SimplicialMesh<2> mesh{rest.points.colwise() - at, {}};
     std::vector<float> depths;
     for (std::size_t c = 0; c < rest.cells.size(); ++c) {
@@ -56,7 +56,7 @@ PlacedPng warpedPicture(const Image& picture, const Vec<2>& at, const Simplicial
     options.depth = std::move(depths);
     const PixelBox box = mesh.cells.empty() ? PixelBox{0, 0, 1, 1} : visibleBox(view, pixels, mesh.cells);
     View own = view;
-    own.origin += Vec<2>(box.x, box.y);
+    own.origin += Vec2(box.x, box.y);
     own.width = std::max(1, box.width), own.height = std::max(1, box.height);
     if (mesh.cells.empty()) return {{}, own.origin, 0, 0};
     const Image warped = warpImage(picture, mesh, pixels, own, options);
@@ -165,20 +165,20 @@ const VectorDrawing& SvgExport::mainDrawing() {
 }
 
 /// Returns how far a part is from its place in its file.
-Vec<2> SvgExport::shiftOf(const PicturePart& part) {
+Vec2 SvgExport::shiftOf(const PicturePart& part) {
     if (!part.at) return {0, 0};
     if (part.layer.empty()) return *part.at;
     const Image header = readImageHeader(pathIn(m_folder, part.path), m_domain.size);
     const std::vector<PictureLayer>& layers = fileMetadata(header)->layers;
     const PictureLayer& layer = layers[layerNamed(layers, part.layer)];
-    return *part.at - Vec<2>(layer.x, layer.y);
+    return *part.at - Vec2(layer.x, layer.y);
 }
 
 SvgPage SvgExport::pageOf(const Shape<2>& shape, const View& view, const WarpOptions& options) {
     const VectorDrawing& drawing = mainDrawing();
     SvgPage page;
-    const Vec<2> unit(drawing.viewBox[2] / drawing.width, drawing.viewBox[3] / drawing.height);
-    page.fromPixels = {Mat<2>(unit.asDiagonal()), Vec<2>(drawing.viewBox[0], drawing.viewBox[1])};
+    const Vec2 unit(drawing.viewBox[2] / drawing.width, drawing.viewBox[3] / drawing.height);
+    page.fromPixels = {Mat2(unit.asDiagonal()), Vec2(drawing.viewBox[0], drawing.viewBox[1])};
     if (options.outside == Outside::Colour) page.outside = colourText(options.colour);
     const auto [width, height] = canvasSize(shape);
     const bool isOwn = view.scale == 1 && view.origin.isZero() && view.width == width &&
@@ -188,8 +188,8 @@ SvgPage SvgExport::pageOf(const Shape<2>& shape, const View& view, const WarpOpt
         page.width = drawing.ownWidth, page.height = drawing.ownHeight;
         return page;
     }
-    const Vec<2> size = view.scale * Vec<2>(view.width, view.height);
-    const Vec<2> from = page.fromPixels(view.origin), extent = page.fromPixels.A * size;
+    const Vec2 size = view.scale * Vec2(view.width, view.height);
+    const Vec2 from = page.fromPixels(view.origin), extent = page.fromPixels.A * size;
     page.viewBox = {from.x(), from.y(), extent.x(), extent.y()};
     page.width = scaledLength(drawing.ownWidth, size.x() / drawing.width);
     page.height = scaledLength(drawing.ownHeight, size.y() / drawing.height);
@@ -197,15 +197,15 @@ SvgPage SvgExport::pageOf(const Shape<2>& shape, const View& view, const WarpOpt
     return page;
 }
 
-std::string SvgExport::text(const Shape<2>& shape, const Points<2>& pixels, const std::vector<int>& levels,
+std::string SvgExport::text(const Shape<2>& shape, const Points2& pixels, const std::vector<int>& levels,
                             const View& view, const WarpOptions& options) {
     SvgFile file(pageOf(shape, view, options));
     const WarpOptions own = plain(options);
-    const auto add = [&](const SvgGroup& group, const VectorDrawing& drawing, const Vec<2>& shift,
+    const auto add = [&](const SvgGroup& group, const VectorDrawing& drawing, const Vec2& shift,
                          const SimplicialMesh<2>& rest, const WarpOptions& ofRest) {
         if (options.stop.stop_requested()) throw Cancelled();
         const PlaneMap map(rest, pixels);
-        file.add(group, drawing, shift, map, [&](const Image& picture, const Vec<2>& at) {
+        file.add(group, drawing, shift, map, [&](const Image& picture, const Vec2& at) {
             return warpedPicture(picture, at, rest, pixels, unscaled(view), ofRest);
         });
     };
@@ -227,7 +227,7 @@ std::string SvgExport::text(const Shape<2>& shape, const Points<2>& pixels, cons
         } else {
             const View whole = unscaled(view);
             const LayerToWrite layer = warpedPart(*shape.texture, k, pixels, whole, options);
-            file.add(group, placedPng(layer.picture, whole.origin + Vec<2>(layer.x, layer.y)));
+            file.add(group, placedPng(layer.picture, whole.origin + Vec2(layer.x, layer.y)));
         }
     }
     return file.text();

@@ -38,14 +38,14 @@ class SvgExport {
 
     /// Returns the file of a pose; `pixels` is inPixels(), `levels` are those of the parts (partLevels()).
     /// Throws InputError and Cancelled.
-    std::string text(const Shape<2>& shape, const Points<2>& pixels, const std::vector<int>& levels,
+    std::string text(const Shape<2>& shape, const Points2& pixels, const std::vector<int>& levels,
                      const View& view, const WarpOptions& options);
 
   private:
     const VectorDrawing& drawingOf(const std::string& file, const std::string& layer);
     const VectorDrawing* drawingOf(const PicturePart& part);
     const VectorDrawing& mainDrawing();
-    Vec<2> shiftOf(const PicturePart& part);
+    Vec2 shiftOf(const PicturePart& part);
     SvgPage pageOf(const Shape<2>& shape, const View& view, const WarpOptions& options);
     void tell(const Message& text);
 

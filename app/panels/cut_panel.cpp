@@ -44,7 +44,7 @@ void CutPanel::makeControls() {
             this, "", names[k],
             k < 3 ? tr("Turns the plane so that it is perpendicular to this axis.")
                   : tr("Cuts away the other side of the plane."),
-            [this, k] { chooseNormal(k < 3 ? Vec<3>(Vec<3>::Unit(k)) : Vec<3>(-m_plane.normal)); },
+            [this, k] { chooseNormal(k < 3 ? Vec3(Vec3::Unit(k)) : Vec3(-m_plane.normal)); },
             k < 3 ? tr("Cut across %1").arg(names[k]) : tr("Other side"));
     }
     m_slider->setRange(0, kHeightSteps);
@@ -74,7 +74,7 @@ double CutPanel::maximum() const {
     return m_plane.normal.cwiseProduct(m_low).cwiseMax(m_plane.normal.cwiseProduct(m_high)).sum();
 }
 
-void CutPanel::chooseNormal(const Vec<3>& normal) {
+void CutPanel::chooseNormal(const Vec3& normal) {
     CutPlane plane = m_plane;
     plane.normal = normal;
     emit planeChosen(plane);
@@ -82,7 +82,7 @@ void CutPanel::chooseNormal(const Vec<3>& normal) {
 
 void CutPanel::chooseNumbers() {
     CutPlane plane;
-    const Vec<3> normal(m_normal[0]->exact(), m_normal[1]->exact(), m_normal[2]->exact());
+    const Vec3 normal(m_normal[0]->exact(), m_normal[1]->exact(), m_normal[2]->exact());
     if (normal.norm() < 1e-3) return;
     plane.normal = normal.normalized();
     plane.point = m_plane.point + (m_place->exact() - plane.normal.dot(m_plane.point)) * plane.normal;
@@ -96,7 +96,7 @@ void CutPanel::showNothing() {
     m_numbers->hide();
 }
 
-void CutPanel::show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high) {
+void CutPanel::show(int kind, const CutPlane& plane, const Vec3& low, const Vec3& high) {
     m_plane = plane;
     m_low = low;
     m_high = high;

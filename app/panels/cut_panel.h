@@ -20,7 +20,7 @@ class CutPanel : public QWidget {
     explicit CutPanel(QWidget* parent = nullptr);
 
     /// `kind` 0: none, 1: whole cells, 2: exact; the solid's bounding box gives the range.
-    void show(int kind, const CutPlane& plane, const Vec<3>& low, const Vec<3>& high);
+    void show(int kind, const CutPlane& plane, const Vec3& low, const Vec3& high);
     /// Shows that there is no solid yet.
     void showNothing();
 
@@ -31,7 +31,7 @@ class CutPanel : public QWidget {
   private:
     void makeControls();
     void arrange();
-    void chooseNormal(const Vec<3>& normal);
+    void chooseNormal(const Vec3& normal);
     void chooseNumbers();
     double minimum() const;
     double maximum() const;
@@ -43,7 +43,7 @@ class CutPanel : public QWidget {
     ExactBox* m_place;
     QWidget* m_numbers;
     CutPlane m_plane;
-    Vec<3> m_low = Vec<3>::Zero(), m_high = Vec<3>::Ones();
+    Vec3 m_low = Vec3::Zero(), m_high = Vec3::Ones();
 };
 
 }  // namespace wend

@@ -320,9 +320,9 @@ template <int Dim>
 void DistortionPanel::showFaults() {
     const auto faults = m_watch.faults<Dim>();
     if (!faults) return;
-    const auto takePlaces = [](const std::vector<PosePlace<Dim>>& from, std::vector<Vec<3>>& to) {
+    const auto takePlaces = [](const std::vector<PosePlace<Dim>>& from, std::vector<Vec3>& to) {
         for (const PosePlace<Dim>& place : from)
-            to.push_back(Vec<3>::Zero()), to.back().template head<Dim>() = place.at;
+            to.push_back(Vec3::Zero()), to.back().template head<Dim>() = place.at;
     };
     takePlaces(faults->crossings, m_crossed);
     takePlaces(faults->blown, m_grown);
@@ -333,7 +333,7 @@ void DistortionPanel::showFaults() {
     m_blown->setText(cells == 0 ? tr("nowhere") : cells == 1 ? tr("1 cell") : tr("%n cells", nullptr, cells));
 }
 
-void DistortionPanel::goOn(std::size_t& next, const std::vector<Vec<3>>& places) {
+void DistortionPanel::goOn(std::size_t& next, const std::vector<Vec3>& places) {
     if (places.empty()) return;
     emit placeWanted(places[next % places.size()]);
     next = (next + 1) % places.size();

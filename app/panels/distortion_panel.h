@@ -81,7 +81,7 @@ class DistortionPanel : public QWidget {
     void mapChanged();
     void showWorst();
     /// Requests a view of a place; z is 0 in pictures.
-    void placeWanted(const wend::Vec<3>& at);
+    void placeWanted(const wend::Vec3& at);
     void faultsChanged();
     void opacityChanged(double opacity);
     void smoothChanged(bool smooth);
@@ -105,7 +105,7 @@ class DistortionPanel : public QWidget {
     void showFaults();
     template <int Dim>
     void showFaults();
-    void goOn(std::size_t& next, const std::vector<Vec<3>>& places);
+    void goOn(std::size_t& next, const std::vector<Vec3>& places);
 
     ShapeMotion& m_motion;
     QComboBox* m_measure;
@@ -128,7 +128,7 @@ class DistortionPanel : public QWidget {
     PoseWatch m_watch;
     QToolButton *m_crossings = nullptr, *m_blown = nullptr;  // counts; each click shows the next place
     QLabel* m_crossingsName = nullptr;
-    std::vector<Vec<3>> m_crossed, m_grown;          // their places …
+    std::vector<Vec3> m_crossed, m_grown;            // their places …
     std::size_t m_nextCrossed = 0, m_nextGrown = 0;  // … and the index of the next one
     MeasureRange m_range;
     int m_dimension = 0;

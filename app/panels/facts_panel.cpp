@@ -34,7 +34,7 @@ QString factsText(const MeshInspection& found, const QString& unit) {
         return unit.isEmpty() ? value : value + ' ' + unit + QString::fromUtf8(power);
     };
     const auto count = [](int n) { return QLocale().toString(n); };
-    const Vec<3> size = facts.high - facts.low;
+    const Vec3 size = facts.high - facts.low;
     QString lines =
         tableLine(
             FactsPanel::tr("size"),
@@ -63,11 +63,11 @@ QString factsOfFile(const std::string& path) {
     return found.facts ? factsText(found, unit) : QString();
 }
 
-int nearestCell(const SimplicialMesh<3>& mesh, const Vec<3>& place) {
+int nearestCell(const SimplicialMesh<3>& mesh, const Vec3& place) {
     double least = std::numeric_limits<double>::infinity();
     int nearest = -1;
     for (int c = 0; c < mesh.cellCount(); ++c) {
-        Vec<3> centre = Vec<3>::Zero();
+        Vec3 centre = Vec3::Zero();
         for (const int v : mesh.cells[c]) centre += mesh.points.col(v) / 4;
         const double distance = (centre - place).squaredNorm();
         if (distance >= least) continue;

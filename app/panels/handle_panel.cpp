@@ -243,7 +243,7 @@ void HandlePanel::apply() {
     Grip grip;
     grip.kind = static_cast<Grip::Kind>(kind);
     grip.centre = *centre;
-    if (isSolid()) grip.axis = Vec<3>::Unit(m_axis->currentIndex());
+    if (isSolid()) grip.axis = Vec3::Unit(m_axis->currentIndex());
     Amount amount(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value());
     if (kind == 1) amount = {amount[0] / kDegrees, 0, 0};
     if (kind == 2) amount = {amount[0] - 1, 0, 0};
@@ -263,7 +263,7 @@ void HandlePanel::showHandle() {
     const QString none = tr("does not hold now");
     allow(m_apply, centre.has_value(), none);
     if (!centre) return m_place->setText(none);
-    const Vec<3> at = ((*centre / unit).array().round() * unit + 0.0).matrix();  // and no −0
+    const Vec3 at = ((*centre / unit).array().round() * unit + 0.0).matrix();  // and no −0
     const QLocale locale;
     const auto number = [&locale](double value) { return locale.toString(value, 'g', 5); };
     m_place->setText(isSolid() ? tr("at %1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))

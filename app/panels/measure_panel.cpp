@@ -26,13 +26,13 @@ QString inDigits(double x) {
     return QLocale().toString(x, 'g', 5);
 }
 
-QString place(const Vec<3>& p, double diagonal) {
+QString place(const Vec3& p, double diagonal) {
     const auto one = [diagonal](double x) { return inDigits(std::abs(x) < 1e-9 * diagonal ? 0.0 : x); };
     return QStringLiteral("%1, %2, %3").arg(one(p.x()), one(p.y()), one(p.z()));
 }
 
 /// Returns the quality of one cell.
-QualitySummary shapeOf(const Points<3>& points, const Cell<3>& cell) {
+QualitySummary shapeOf(const Points3& points, const Cell<3>& cell) {
     SimplicialMesh<3> one;
     one.points.resize(3, 4);
     for (int k = 0; k < 4; ++k) one.points.col(k) = points.col(cell[k]);
@@ -82,7 +82,7 @@ MeasurePanel::MeasurePanel(ShapeMotion& motion, Selection& selection, const Show
         &Selection::changed);
 }
 
-void MeasurePanel::setPointed(int cell, int vertex, const Vec<3>& point) {
+void MeasurePanel::setPointed(int cell, int vertex, const Vec3& point) {
     m_pointedCell = cell;
     m_vertex = vertex;
     m_at = point;

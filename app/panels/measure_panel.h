@@ -19,7 +19,7 @@ class MeasurePanel : public QWidget {
 
   public slots:
     /// Sets the cell under the pointer with its nearest corner and the point; cell −1 for none.
-    void setPointed(int cell, int vertex, const wend::Vec<3>& point);
+    void setPointed(int cell, int vertex, const wend::Vec3& point);
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -34,7 +34,7 @@ class MeasurePanel : public QWidget {
     const ShownPins& m_shown;
     QLabel *m_whole, *m_part, *m_point, *m_cell;
     int m_pointedCell = -1, m_vertex = -1;
-    Vec<3> m_at = Vec<3>::Zero();
+    Vec3 m_at = Vec3::Zero();
 };
 
 }  // namespace wend

@@ -18,7 +18,7 @@ constexpr int kFirstAxis = 100;
 int keyOf(const BrushSettings& brush) {
     if (brush.along != StiffAlong::Axis) return static_cast<int>(brush.along);
     for (int k = 0; k < 3; ++k)
-        if (brush.axis == Vec<3>::Unit(k)) return kFirstAxis + k;
+        if (brush.axis == Vec3::Unit(k)) return kFirstAxis + k;
     return static_cast<int>(StiffAlong::Axis);
 }
 
@@ -109,7 +109,7 @@ void PaintPanel::setDimension(int dimension) {
         brush.phi = std::min(brush.phi, phi::conformal(dimension));
         if (dimension == 3) return;
         brush.axis[2] = 0;
-        if (brush.axis.isZero()) brush.axis = Vec<3>::UnitX();
+        if (brush.axis.isZero()) brush.axis = Vec3::UnitX();
         if (brush.along == StiffAlong::View) brush.along = StiffAlong::Stroke;
     });
     showBrush();
@@ -133,7 +133,7 @@ void PaintPanel::chooseDirection(int index) {
     const int key = m_direction->itemData(index).toInt();
     change([&](BrushSettings& brush) {
         brush.along = key >= kFirstAxis ? StiffAlong::Axis : static_cast<StiffAlong>(key);
-        if (key >= kFirstAxis) brush.axis = Vec<3>::Unit(key - kFirstAxis);
+        if (key >= kFirstAxis) brush.axis = Vec3::Unit(key - kFirstAxis);
     });
     // Numbers that are an axis are still numbers.
     m_direction->setCurrentIndex(index);

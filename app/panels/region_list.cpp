@@ -196,7 +196,7 @@ const ValueLayer* RegionList::layer() const {
 }
 
 Vec3 RegionList::middle() const {
-    const Points<3>& rest = m_motion.frame<3>()->rest->points;
+    const Points3& rest = m_motion.frame<3>()->rest->points;
     return (rest.rowwise().minCoeff() + rest.rowwise().maxCoeff()) / 2;
 }
 

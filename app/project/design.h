@@ -62,7 +62,7 @@ struct MaterialSpec {
     double memory = 0;                  // ρ
     std::vector<MaterialLayer> layers;  // later ones win
     std::vector<double> cellPhi;        // material.cells, if given
-    std::vector<Mat<3>> cellB;
+    std::vector<Mat3> cellB;
     std::string cellsFile;         // where material.cells names a file
     std::string cellsPhi, cellsB;  // fields of that file; empty: "phi" and "B", as far as they are there
 };

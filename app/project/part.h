@@ -24,7 +24,7 @@ struct PartOutline {
 /// Fastens a point of a part, or all of a disc of it, to another part.
 struct Joint {
     std::string to;
-    Vec<2> at = Vec<2>::Zero();
+    Vec2 at = Vec2::Zero();
     double radius = 0;
     Extras extras = {};
     bool operator==(const Joint&) const = default;
@@ -48,7 +48,7 @@ struct PicturePart {
     bool fill = false;                   // what the cut hides at rest is inpainted
     std::optional<PartOutline> outline;  // without: the domain's
     int vertices = 0;                    // 0: its share of the domain's
-    std::optional<Vec<2>> at;            // of its first pixel; without: where its layer is, or the origin
+    std::optional<Vec2> at;              // of its first pixel; without: where its layer is, or the origin
     double opacity = 1;                  // of a layer: in its file's place if not 1
     bool hidden = false;
     bool locked = false;  // not to be picked, painted or dragged in the window

@@ -28,7 +28,7 @@ struct Coordinates {
     static Translate<To> kind(const Translate<From>& move) { return {point(move.by)}; }
     static Rotate<To> kind(const Rotate<From>& rotate) {
         if constexpr (To == 2)
-            return {point(rotate.centre), Vec<2>::Zero(), rotate.axis.z() < 0 ? -rotate.angle : rotate.angle};
+            return {point(rotate.centre), Vec2::Zero(), rotate.axis.z() < 0 ? -rotate.angle : rotate.angle};
         else
             return {point(rotate.centre), Vec3::UnitZ(), rotate.angle};
     }

@@ -21,10 +21,10 @@ struct BrushSettings {
     double ratio = 10;  // how many times stiffer
     double amount = 1;  // blend factor from the existing to the painted value
     StiffAlong along = StiffAlong::Stroke;
-    Vec<3> axis = Vec<3>::UnitX();  // in the plane its first two numbers
-    double radius = 38;             // on the screen, in pixels: nothing is painted beyond it
-    double hardness = 0.6;          // the part of the radius that is painted wholly
-    bool pressure = true;           // of a pen: it scales the amount
+    Vec3 axis = Vec3::UnitX();  // in the plane its first two numbers
+    double radius = 38;         // on the screen, in pixels: nothing is painted beyond it
+    double hardness = 0.6;      // the part of the radius that is painted wholly
+    bool pressure = true;       // of a pen: it scales the amount
     bool operator==(const BrushSettings&) const = default;
 };
 

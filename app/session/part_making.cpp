@@ -36,9 +36,9 @@ constexpr double kOnly = 0.3;          // a stretch that is shorter than that of
 constexpr int kCapCorners = 32;
 constexpr int kSamplesAcross = 64;  // of an area, in each direction
 
-bool isOpaqueAt(const Sheet& sheet, const Vec<2>& p) {
+bool isOpaqueAt(const Sheet& sheet, const Vec2& p) {
     const Image& picture = *sheet.picture;
-    const Vec<2> pixel = (p - sheet.at).array().floor();
+    const Vec2 pixel = (p - sheet.at).array().floor();
     if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= picture.width || pixel.y() >= picture.height)
         return false;
     if (!picture.alpha) return true;
@@ -58,14 +58,14 @@ struct Stretch {
 /// Samples of a closed polygon's border a pixel apart, and whether the picture is on both sides of each.
 class BorderSamples {
   public:
-    BorderSamples(const std::vector<Vec<2>>& loop, const Sheet& sheet) {
+    BorderSamples(const std::vector<Vec2>& loop, const Sheet& sheet) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec<2>& a = loop[i];
-            const Vec<2> side = loop[(i + 1) % loop.size()] - a;
+            const Vec2& a = loop[i];
+            const Vec2 side = loop[(i + 1) % loop.size()] - a;
             const int steps = std::max(1, static_cast<int>(std::lround(side.norm())));
-            const Vec<2> across = kBeside * Vec<2>(-side.y(), side.x()).normalized();
+            const Vec2 across = kBeside * Vec2(-side.y(), side.x()).normalized();
             for (int k = 0; k < steps && side.norm() > 0; ++k) {
-                const Vec<2> p = a + (k + 0.5) / steps * side;
+                const Vec2 p = a + (k + 0.5) / steps * side;
                 m_places.push_back(p);
                 m_goesOn.push_back(isOpaqueAt(sheet, p + across) && isOpaqueAt(sheet, p - across));
             }
@@ -73,7 +73,7 @@ class BorderSamples {
     }
 
     std::size_t size() const { return m_places.size(); }
-    const Vec<2>& at(std::size_t i) const { return m_places[i % size()]; }
+    const Vec2& at(std::size_t i) const { return m_places[i % size()]; }
 
     /// Returns the stretches where the picture continues, the longest first; none if it does so everywhere.
     std::vector<Stretch> stretches() const {
@@ -91,21 +91,21 @@ class BorderSamples {
     }
 
   private:
-    std::vector<Vec<2>> m_places;
+    std::vector<Vec2> m_places;
     std::vector<bool> m_goesOn;
 };
 
 }  // namespace
 
 double coveredArea(const Outline& area, const Sheet& sheet) {
-    Vec<2> low = Vec<2>::Constant(INFINITY), high = -low;
+    Vec2 low = Vec2::Constant(INFINITY), high = -low;
     for (const auto& loop : area.loops)
-        for (const Vec<2>& p : loop) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const Vec<2> step = (high - low) / kSamplesAcross;
+        for (const Vec2& p : loop) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const Vec2 step = (high - low) / kSamplesAcross;
     int covered = 0;
     for (int j = 0; j < kSamplesAcross; ++j)
         for (int i = 0; i < kSamplesAcross; ++i) {
-            const Vec<2> p = low + step.cwiseProduct(Vec<2>(i + 0.5, j + 0.5));
+            const Vec2 p = low + step.cwiseProduct(Vec2(i + 0.5, j + 0.5));
             if (isOpaqueAt(sheet, p) && isInside(area, p)) ++covered;
         }
     return covered * step.prod();
@@ -120,16 +120,16 @@ std::optional<PartSeam> seamOf(const Outline& area, const Sheet& sheet) {
     const bool isOnly = stretches.size() == 1 || static_cast<double>(stretches[1].count) < kOnly * length;
     if (!isOnly || length < kShortest || length > kLargestShare * static_cast<double>(border.size()))
         return std::nullopt;
-    const Vec<2> from = border.at(stretches.front().first),
-                 to = border.at(stretches.front().first + stretches.front().count - 1);
+    const Vec2 from = border.at(stretches.front().first),
+               to = border.at(stretches.front().first + stretches.front().count - 1);
     return PartSeam{(from + to) / 2, (to - from).norm() / 2};
 }
 
 Outline withCap(const Outline& area, const PartSeam& seam) {
-    std::vector<Vec<2>> disc;
+    std::vector<Vec2> disc;
     for (int k = 0; k < kCapCorners; ++k) {
         const double angle = 2 * std::numbers::pi * k / kCapCorners;
-        disc.push_back(seam.middle + seam.radius * Vec<2>(std::cos(angle), std::sin(angle)));
+        disc.push_back(seam.middle + seam.radius * Vec2(std::cos(angle), std::sin(angle)));
     }
     return combined(area, {{disc}}, OutlineOperation::Add);
 }
@@ -289,7 +289,7 @@ double areaOf(const SimplicialMesh<2>& rest, const MeshPart& part) {
     return area;
 }
 
-bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec<2>& p) {
+bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec2& p) {
     const auto cells = std::span(rest.cells)
                            .subspan(static_cast<std::size_t>(part.firstCell),
                                     static_cast<std::size_t>(part.endCell - part.firstCell));
@@ -300,11 +300,11 @@ bool isIn(const SimplicialMesh<2>& rest, const MeshPart& part, const Vec<2>& p) 
 /// Returns whether another part is under at least half of a part.
 bool liesOn(const SimplicialMesh<2>& rest, const MeshPart& part, const MeshPart& other) {
     const auto points = rest.points.middleCols(other.firstVertex, other.endVertex - other.firstVertex);
-    const Eigen::AlignedBox2d box(Vec<2>(points.rowwise().minCoeff()), Vec<2>(points.rowwise().maxCoeff()));
+    const Eigen::AlignedBox2d box(Vec2(points.rowwise().minCoeff()), Vec2(points.rowwise().maxCoeff()));
     const int step = std::max(1, (part.endVertex - part.firstVertex) / kTried);
     int tried = 0, inside = 0;
     for (int v = part.firstVertex; v < part.endVertex; v += step, ++tried) {
-        const Vec<2> p = rest.points.col(v);
+        const Vec2 p = rest.points.col(v);
         inside += box.contains(p) && isIn(rest, other, p);
     }
     return 2 * inside >= tried;

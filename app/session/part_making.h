@@ -36,7 +36,7 @@ std::shared_ptr<const Project> withRiders(const Project& project, const std::vec
 
 /// The place where a limb that is cut out is connected to the rest.
 struct PartSeam {
-    Vec<2> middle;
+    Vec2 middle;
     double radius = 0;  // half the distance between its ends
 };
 

@@ -51,18 +51,17 @@ std::vector<PinView> viewPins(const std::vector<Pin>& handles, const std::vector
     return views;
 }
 
-std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points) {
-    std::sort(points.begin(), points.end(), [](const Vec<2>& a, const Vec<2>& b) {
-        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-    });
-    std::vector<Vec<2>> hull;
-    const auto turnsLeft = [&hull](const Vec<2>& p) {
-        const Vec<2> a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
+std::vector<Vec2> convexHull(std::vector<Vec2> points) {
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::vector<Vec2> hull;
+    const auto turnsLeft = [&hull](const Vec2& p) {
+        const Vec2 a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
         return a.x() * b.y() - a.y() * b.x() > 0;
     };
     for (const bool upper : {false, true}) {  // the lower half from left to right, the upper one back
         const std::size_t first = hull.size();
-        for (const Vec<2>& p : points) {
+        for (const Vec2& p : points) {
             while (hull.size() >= first + 2 && !turnsLeft(p)) hull.pop_back();
             hull.push_back(p);
         }

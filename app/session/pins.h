@@ -28,7 +28,7 @@ std::vector<PinView> viewPins(const std::vector<Pin>& handles, const std::vector
 Vec3 meanOf(const std::vector<Vec3>& points);
 
 /// Returns the corners of the convex hull, in order.
-std::vector<Vec<2>> convexHull(std::vector<Vec<2>> points);
+std::vector<Vec2> convexHull(std::vector<Vec2> points);
 
 /// The path of a handle's point from where it begins, sampled for drawing, with the times of the samples.
 struct PinPath {

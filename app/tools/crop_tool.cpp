@@ -42,17 +42,17 @@ class CropTool : public ShapeTool<PictureShapeView> {
     };
     /// Returns the picture of the document or of a file's mesh; null if there is nothing to crop.
     std::shared_ptr<const Image> picture() const;
-    Vec<2> toPixels(const QPointF& widget) const;
-    QPointF toWidget(const Vec<2>& pixel) const;
+    Vec2 toPixels(const QPointF& widget) const;
+    QPointF toWidget(const Vec2& pixel) const;
     Grip gripAt(const QPointF& widget) const;
     QPolygonF outline(const PixelRect& part) const;
-    void drawTo(const Vec<2>& pixel, bool proportional);
+    void drawTo(const Vec2& pixel, bool proportional);
 
     Crop& m_crop;
     Grip m_grip, m_under;  // dragged; under the pointer
     bool m_active = false;
     std::optional<PixelRect> m_before;
-    Vec<2> m_from = Vec<2>::Zero();  // where it was pressed, in pixels of the picture
+    Vec2 m_from = Vec2::Zero();  // where it was pressed, in pixels of the picture
     QPointF m_at;
 };
 
@@ -61,19 +61,19 @@ constexpr double kHandle = 7;     // the size of a corner's square
 constexpr double kLargest = 1e5;  // pixels of the picture
 
 /// Returns the rectangle between two corners, on whole pixels and at least one pixel large.
-PixelRect between(const Vec<2>& a, const Vec<2>& b) {
-    const Vec<2> low = a.cwiseMin(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
-    const Vec<2> high = a.cwiseMax(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
-    const Vec<2> size = (high - low).cwiseMax(1);
+PixelRect between(const Vec2& a, const Vec2& b) {
+    const Vec2 low = a.cwiseMin(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
+    const Vec2 high = a.cwiseMax(b).array().round().cwiseMax(-kLargest).cwiseMin(kLargest);
+    const Vec2 size = (high - low).cwiseMax(1);
     return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(size.x()),
             static_cast<int>(size.y())};
 }
 
-Vec<2> lowOf(const PixelRect& part) {
+Vec2 lowOf(const PixelRect& part) {
     return {part.x, part.y};
 }
 
-Vec<2> highOf(const PixelRect& part) {
+Vec2 highOf(const PixelRect& part) {
     return {part.x + part.width, part.y + part.height};
 }
 
@@ -98,13 +98,13 @@ std::shared_ptr<const Image> CropTool::picture() const {
 }
 
 /// A 2D mesh may have any placement in its picture.
-Vec<2> CropTool::toPixels(const QPointF& widget) const {
+Vec2 CropTool::toPixels(const QPointF& widget) const {
     const auto frame = session().motion().frame<2>();
-    const Vec<2> at = view().toShape(widget);
-    return frame && frame->built->texture ? Vec<2>(frame->built->texture->toPixels(at)) : at;
+    const Vec2 at = view().toShape(widget);
+    return frame && frame->built->texture ? Vec2(frame->built->texture->toPixels(at)) : at;
 }
 
-QPointF CropTool::toWidget(const Vec<2>& pixel) const {
+QPointF CropTool::toWidget(const Vec2& pixel) const {
     const auto frame = session().motion().frame<2>();
     if (!frame || !frame->built->texture) return view().toWidget(pixel);
     const PictureMap& map = frame->built->texture->toPixels;
@@ -112,14 +112,14 @@ QPointF CropTool::toWidget(const Vec<2>& pixel) const {
 }
 
 QPolygonF CropTool::outline(const PixelRect& part) const {
-    const Vec<2> a = lowOf(part), b = highOf(part);
+    const Vec2 a = lowOf(part), b = highOf(part);
     return {{toWidget(a), toWidget({b.x(), a.y()}), toWidget(b), toWidget({a.x(), b.y()})}};
 }
 
 CropTool::Grip CropTool::gripAt(const QPointF& widget) const {
     const auto& part = m_crop.now();
     if (!part) return {};
-    const Vec<2> at = toPixels(widget), a = lowOf(*part), b = highOf(*part);
+    const Vec2 at = toPixels(widget), a = lowOf(*part), b = highOf(*part);
     const double reach = marked(kSideReach) * (toPixels(widget + QPointF(1, 0)) - at).norm();
     if (((a - at).array() > reach).any() || ((at - b).array() > reach).any()) return {};
     Grip grip;
@@ -147,12 +147,12 @@ void CropTool::move(const QMouseEvent& event) {
     view().redraw();
 }
 
-void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
-    const Vec<2> by = pixel - m_from;
-    Vec<2> a = m_from, b = pixel;
+void CropTool::drawTo(const Vec2& pixel, bool proportional) {
+    const Vec2 by = pixel - m_from;
+    Vec2 a = m_from, b = pixel;
     if (m_before && m_grip.all) {
-        const Vec<2> moved = lowOf(*m_before) + by;
-        return m_crop.set(between(moved, moved + Vec<2>(m_before->width, m_before->height)));
+        const Vec2 moved = lowOf(*m_before) + by;
+        return m_crop.set(between(moved, moved + Vec2(m_before->width, m_before->height)));
     }
     if (m_before && m_grip.any()) {
         a = lowOf(*m_before), b = highOf(*m_before);
@@ -164,9 +164,9 @@ void CropTool::drawTo(const Vec<2>& pixel, bool proportional) {
     if (const auto frame = session().motion().frame<2>(); proportional && frame && frame->built->picture) {
         const auto [wide, high] = canvasSize(*frame->built);
         const double aspect = static_cast<double>(high) / wide;
-        const Vec<2> size = b - a;
+        const Vec2 size = b - a;
         const double width = std::max(std::abs(size.x()), std::abs(size.y()) / aspect);
-        b = a + Vec<2>(std::copysign(width, size.x()), std::copysign(width * aspect, size.y()));
+        b = a + Vec2(std::copysign(width, size.x()), std::copysign(width * aspect, size.y()));
     }
     m_crop.set(between(a, b));
 }

@@ -172,7 +172,7 @@ void Manipulator::setGrip(Grip::Kind kind) {
     m_mode = kind == Grip::Kind::Turn ? Mode::Turn : kind == Grip::Kind::Grow ? Mode::Grow : Mode::Move;
 }
 
-void Manipulator::place(const Vec3& centre, const Mat<3>& axes) {
+void Manipulator::place(const Vec3& centre, const Mat3& axes) {
     m_centre = centre;
     m_axes = axes;
 }

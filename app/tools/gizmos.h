@@ -132,7 +132,7 @@ class Manipulator : public Gizmo {
     bool comesFirst() const override { return true; }
     using Gizmo::place;
     /// The axes are the columns.
-    void place(const Vec3& centre, const Mat<3>& axes);
+    void place(const Vec3& centre, const Mat3& axes);
     Vec3 axis(int k) const { return m_axes.col(k); }
     QString hint() const override;
 
@@ -157,7 +157,7 @@ class Manipulator : public Gizmo {
     double distanceAt(const ShapeView& view, const QPointF& widget) const;
 
     Mode m_mode = Mode::Move;
-    Mat<3> m_axes = Mat<3>::Identity();
+    Mat3 m_axes = Mat3::Identity();
     Vec3 m_startPoint = Vec3::Zero();
     double m_lastAngle = 0, m_angle = 0, m_startDistance = 1;
 };

@@ -30,7 +30,7 @@ struct Part {
 };
 
 QPolygonF triangleOf(const PosedFrame<2>& frame, int cell,
-                     const std::function<QPointF(const Vec<2>&)>& toWidget) {
+                     const std::function<QPointF(const Vec2&)>& toWidget) {
     QPolygonF triangle;
     for (const int v : frame.rest->cells[static_cast<std::size_t>(cell)])
         triangle << toWidget(frame.pose.col(v));
@@ -58,7 +58,7 @@ void paintBadge(QPainter& painter, float order) {
 }  // namespace
 
 void paintDepths(QPainter& painter, const PosedFrame<2>& frame, const std::vector<float>& depths,
-                 const std::function<QPointF(const Vec<2>&)>& toWidget) {
+                 const std::function<QPointF(const Vec2&)>& toWidget) {
     if (depths.empty()) return;
     const auto order = [&](int cell) { return depths[static_cast<std::size_t>(cell)]; };
     DisjointSets sets(frame.rest->cellCount());
@@ -168,7 +168,7 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
 
 }  // namespace
 
-void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points<2>& velocity,
+void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points2& velocity,
                          const QSize& size) {
     const FramePtr frame = view.shownFrame();
     if (!frame || velocity.cols() != frame->vertices) return;
@@ -180,10 +180,10 @@ void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points
             const auto touch = view.touch(QPointF(x, y));
             if (!touch) continue;
             const auto cell = frame->corners(touch->place.cell);
-            Vec<2> v = Vec<2>::Zero();
+            Vec2 v = Vec2::Zero();
             for (int k = 0; k < 3; ++k) v += touch->place.weights[k] * velocity.col(cell[k]);
             // The view may show the domain mirrored.
-            const Vec3 step = inSpace(Vec<2>(v / fastest * view.pixelSize(touch->point) * marked(kLong)));
+            const Vec3 step = inSpace(Vec2(v / fastest * view.pixelSize(touch->point) * marked(kLong)));
             const QPointF way = view.onScreen(touch->point + step) - view.onScreen(touch->point);
             if (std::hypot(way.x(), way.y()) >= marked(kShortestArrow))
                 paintArrow(painter, QPointF(x, y), way);

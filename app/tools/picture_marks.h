@@ -15,7 +15,7 @@ inline constexpr QRgb kBehind = 0xFFC8641E, kPlain = 0xFF5C5F69;
 /// Draws hatches over parts in front (///) and behind (\\\), and a badge with the order of each connected
 /// part. `depths`: per cell, or empty.
 void paintDepths(QPainter& painter, const PosedFrame<2>& frame, const std::vector<float>& depths,
-                 const std::function<QPointF(const Vec<2>&)>& toWidget);
+                 const std::function<QPointF(const Vec2&)>& toWidget);
 
 /// Draws an ellipse in every stiff square of a screen grid: the longer, the stiffer along its axis. They
 /// rotate with the shape.
@@ -25,7 +25,7 @@ void paintStiffnessMarks(QPainter& painter, PictureShapeView& view, const QSize&
 double markLength(double ratio);
 
 /// Draws arrows on a screen grid for the velocity at the shown time, relative to the largest one.
-void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points<2>& velocity,
+void paintVelocityArrows(QPainter& painter, PictureShapeView& view, const Points2& velocity,
                          const QSize& size);
 
 }  // namespace wend

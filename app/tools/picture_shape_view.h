@@ -7,8 +7,8 @@ namespace wend {
 /// The canvas as tools see it that work on pictures alone: with points of the plane.
 class PictureShapeView : public ShapeView {
   public:
-    virtual Vec<2> toShape(const QPointF& widget) const = 0;
-    virtual QPointF toWidget(const Vec<2>& p) const = 0;
+    virtual Vec2 toShape(const QPointF& widget) const = 0;
+    virtual QPointF toWidget(const Vec2& p) const = 0;
 
     int dimension() const override { return 2; }
     QPointF onScreen(const Vec3& p) const override { return toWidget(inPlane(p)); }

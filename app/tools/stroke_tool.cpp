@@ -246,7 +246,7 @@ void StrokeTool::paintTuning(QPainter& painter) const {
 
 /// Returns two tangents of equal length and the place on the surface under the pointer; nothing outside it,
 /// or if a few pixels away another part is visible.
-std::optional<Mat<3>> StrokeTool::facing(const QPointF& at) const {
+std::optional<Mat3> StrokeTool::facing(const QPointF& at) const {
     if (view().dimension() == 2) return {};
     const auto middle = view().touch(at), right = view().touch(at + QPointF(kFace, 0)),
                below = view().touch(at + QPointF(0, kFace));
@@ -255,7 +255,7 @@ std::optional<Mat<3>> StrokeTool::facing(const QPointF& at) const {
     const Vec3 normal = u.cross(v).normalized();
     const double most = kSteepest * kFace * view().pixelSize(middle->point);
     if (!normal.allFinite() || normal.isZero() || u.norm() > most || v.norm() > most) return {};
-    Mat<3> face;
+    Mat3 face;
     face << u.normalized(), normal.cross(u.normalized()), middle->point;
     return face;
 }

@@ -82,7 +82,7 @@ class StrokeTool : public ShapeTool<> {
     std::optional<QPointF> lineStart() const;
     void drawLine();
     void paintLine(QPainter& painter) const;
-    std::optional<Mat<3>> facing(const QPointF& at) const;
+    std::optional<Mat3> facing(const QPointF& at) const;
     QPainterPath ringAt(const QPointF& at, double radius) const;
 
     Brush& m_brush;

@@ -463,8 +463,8 @@ QPixmap TilePictures::drawnFlat(const FramePtr& frame) const {
     request.size = EnergySlider::pictureSize();
     request.ratio = m_tiles.devicePixelRatioF();
     request.filter = Filter::Ewa;
-    const Points<2>& pose = request.frame->pose;
-    const Vec<2> low = pose.rowwise().minCoeff(), size = pose.rowwise().maxCoeff() - low;
+    const Points2& pose = request.frame->pose;
+    const Vec2 low = pose.rowwise().minCoeff(), size = pose.rowwise().maxCoeff() - low;
     request.view.setZoomLimits(1e-9, 1e9);
     request.view.fit(QRectF(low.x(), low.y(), size.x(), size.y()), request.size, kTileMargin);
     return QPixmap::fromImage(RenderThread::render(request));

@@ -13,13 +13,13 @@ using Bernstein = std::array<double, Dim + 1>;
 
 /// Returns the Bernstein coefficients of det(E + s D). The mixed ones are means over the columns that are
 /// taken from E + D.
-Bernstein<2> determinants(const Mat<2>& E, const Mat<2>& end) {
+Bernstein<2> determinants(const Mat2& E, const Mat2& end) {
     const double mixed =
         E(0, 0) * end(1, 1) + end(0, 0) * E(1, 1) - E(0, 1) * end(1, 0) - end(0, 1) * E(1, 0);
     return {E.determinant(), 0.5 * mixed, end.determinant()};
 }
-Bernstein<3> determinants(const Mat<3>& E, const Mat<3>& end) {
-    const auto mixed = [](const Mat<3>& twice, const Mat<3>& once) {
+Bernstein<3> determinants(const Mat3& E, const Mat3& end) {
+    const auto mixed = [](const Mat3& twice, const Mat3& once) {
         double sum = 0;
         for (int k = 0; k < 3; ++k)
             sum += once.col(k).dot(twice.col((k + 1) % 3).cross(twice.col((k + 2) % 3)));

@@ -50,8 +50,8 @@ std::string placeName(const Vec<Dim>& p) {
     return text + ')';
 }
 
-template std::string placeName<2>(const Vec<2>&);
-template std::string placeName<3>(const Vec<3>&);
+template std::string placeName<2>(const Vec2&);
+template std::string placeName<3>(const Vec3&);
 
 std::optional<double> parseNumber(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);

@@ -77,20 +77,20 @@ Mat<Dim> stressBlock(EnergyWeights w, const Mat<Dim>& B, const Vec<Dim>& g, cons
 
 namespace {
 
-Mat<2> rotationOf(const Mat<2>& F) {
+Mat2 rotationOf(const Mat2& F) {
     const double c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1), n = std::hypot(c, s);
-    Mat<2> R;
+    Mat2 R;
     R << c / n, -s / n, s / n, c / n;
     return R;
 }
 
 /// Newton's iteration X ← ½ (γX + (γX)⁻ᵀ) with Higham's Frobenius scaling γ; quadratic, about 6 steps.
-Mat<3> rotationOf(const Mat<3>& F) {
-    Mat<3> X = F;
+Mat3 rotationOf(const Mat3& F) {
+    Mat3 X = F;
     for (int i = 0; i < 30; ++i) {
-        const Mat<3> inverse = X.inverse().transpose();
+        const Mat3 inverse = X.inverse().transpose();
         const double scale = std::sqrt(inverse.norm() / X.norm());
-        const Mat<3> next = 0.5 * (scale * X + inverse / scale);
+        const Mat3 next = 0.5 * (scale * X + inverse / scale);
         const double change = (next - X).norm();
         X = next;
         if (!(change > 1e-14)) break;

@@ -116,7 +116,7 @@ Distortion distortion(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) 
     return result;
 }
 
-template Distortion distortion<2>(const SimplicialMesh<2>&, const Points<2>&);
-template Distortion distortion<3>(const SimplicialMesh<3>&, const Points<3>&);
+template Distortion distortion<2>(const SimplicialMesh<2>&, const Points2&);
+template Distortion distortion<3>(const SimplicialMesh<3>&, const Points3&);
 
 }  // namespace wend

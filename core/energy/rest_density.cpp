@@ -35,18 +35,18 @@ struct Stretch {
 
 /// Computes the singular values from half the sum and half the difference of the angles of the conformal and
 /// the anticonformal part of F.
-Stretch<2> stretchOf(const Mat<2>& F) {
+Stretch<2> stretchOf(const Mat2& F) {
     const double even = 0.5 * (F(0, 0) + F(1, 1)), turn = 0.5 * (F(1, 0) - F(0, 1)),
                  odd = 0.5 * (F(0, 0) - F(1, 1)), shear = 0.5 * (F(1, 0) + F(0, 1));
     const double kept = std::hypot(even, turn), lost = std::hypot(odd, shear);
     const double a = std::atan2(turn, even), b = lost > 0 ? std::atan2(shear, odd) : a;
     const auto rotation = [](double angle) {
-        return Mat<2>{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
+        return Mat2{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
     };
     return {rotation(0.5 * (b + a)), rotation(0.5 * (b - a)), {kept + lost, kept - lost}};
 }
 
-Stretch<3> stretchOf(const Mat<3>& F) {
+Stretch<3> stretchOf(const Mat3& F) {
     const auto svd = singularValueDecomposition<3>(F);
     return {svd.U, svd.V, svd.sigma};
 }

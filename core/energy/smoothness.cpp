@@ -7,12 +7,12 @@
 namespace wend {
 namespace {
 
-double measureOf(const Points<2>& x, const std::array<int, 2>& f) {
+double measureOf(const Points2& x, const std::array<int, 2>& f) {
     return (x.col(f[1]) - x.col(f[0])).norm();
 }
 
-double measureOf(const Points<3>& x, const std::array<int, 3>& f) {
-    const Vec<3> a = x.col(f[1]) - x.col(f[0]), b = x.col(f[2]) - x.col(f[0]);
+double measureOf(const Points3& x, const std::array<int, 3>& f) {
+    const Vec3 a = x.col(f[1]) - x.col(f[0]), b = x.col(f[2]) - x.col(f[0]);
     return 0.5 * a.cross(b).norm();
 }
 

@@ -195,8 +195,8 @@ template std::vector<int> guidedAlone<3>(const Constraints<3>&, const std::vecto
 template Sliders slidersOf<2>(const Constraints<2>&, const std::vector<int>&);
 template Sliders slidersOf<3>(const Constraints<3>&, const std::vector<int>&);
 template std::vector<ConstraintRow> rowsOf<2>(const Constraints<2>&, const std::vector<int>&);
-template void requireConsistent<2>(const Constraints<2>&, const Points<2>&, const Normalization<2>&);
+template void requireConsistent<2>(const Constraints<2>&, const Points2&, const Normalization<2>&);
 template std::vector<ConstraintRow> rowsOf<3>(const Constraints<3>&, const std::vector<int>&);
-template void requireConsistent<3>(const Constraints<3>&, const Points<3>&, const Normalization<3>&);
+template void requireConsistent<3>(const Constraints<3>&, const Points3&, const Normalization<3>&);
 
 }  // namespace wend

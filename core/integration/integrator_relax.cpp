@@ -269,23 +269,23 @@ void Deformer<Dim>::Integrator::refineFrame(double from, double to, double t, co
 }
 
 template bool Deformer<2>::Integrator::springs();
-template bool Deformer<2>::Integrator::relax(double, double, const Points<2>&, Points<2>&, double&);
-template void Deformer<2>::Integrator::relaxFrame(double, Points<2>&);
-template bool Deformer<2>::Integrator::leadElastic(double, const Points<2>&, double, Points<2>&);
-template bool Deformer<2>::Integrator::elasticVelocity(double, Side, const Points<2>&, Points<2>&);
+template bool Deformer<2>::Integrator::relax(double, double, const Points2&, Points2&, double&);
+template void Deformer<2>::Integrator::relaxFrame(double, Points2&);
+template bool Deformer<2>::Integrator::leadElastic(double, const Points2&, double, Points2&);
+template bool Deformer<2>::Integrator::elasticVelocity(double, Side, const Points2&, Points2&);
 template std::optional<Deformer<2>::Integrator::EndVelocities> Deformer<2>::Integrator::endVelocities(double,
                                                                                                       double);
-template void Deformer<2>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points<2>&);
+template void Deformer<2>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points2&);
 template double Deformer<2>::Integrator::leastElasticStep() const;
 template Deformer<2>::Integrator::Relaxation Deformer<2>::Integrator::relaxation(double, Side) const;
 template bool Deformer<3>::Integrator::springs();
-template bool Deformer<3>::Integrator::relax(double, double, const Points<3>&, Points<3>&, double&);
-template void Deformer<3>::Integrator::relaxFrame(double, Points<3>&);
-template bool Deformer<3>::Integrator::leadElastic(double, const Points<3>&, double, Points<3>&);
-template bool Deformer<3>::Integrator::elasticVelocity(double, Side, const Points<3>&, Points<3>&);
+template bool Deformer<3>::Integrator::relax(double, double, const Points3&, Points3&, double&);
+template void Deformer<3>::Integrator::relaxFrame(double, Points3&);
+template bool Deformer<3>::Integrator::leadElastic(double, const Points3&, double, Points3&);
+template bool Deformer<3>::Integrator::elasticVelocity(double, Side, const Points3&, Points3&);
 template std::optional<Deformer<3>::Integrator::EndVelocities> Deformer<3>::Integrator::endVelocities(double,
                                                                                                       double);
-template void Deformer<3>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points<3>&);
+template void Deformer<3>::Integrator::refineFrame(double, double, double, const EndVelocities&, Points3&);
 template double Deformer<3>::Integrator::leastElasticStep() const;
 template Deformer<3>::Integrator::Relaxation Deformer<3>::Integrator::relaxation(double, Side) const;
 

@@ -90,10 +90,10 @@ AdvanceResult Deformer<Dim>::Integrator::stopped() const {
 }
 
 template int Deformer<2>::Integrator::fastestPoint() const;
-template int Deformer<2>::Integrator::nearestPoint(const Vec<2>&) const;
+template int Deformer<2>::Integrator::nearestPoint(const Vec2&) const;
 template AdvanceResult Deformer<2>::Integrator::stopped() const;
 template int Deformer<3>::Integrator::fastestPoint() const;
-template int Deformer<3>::Integrator::nearestPoint(const Vec<3>&) const;
+template int Deformer<3>::Integrator::nearestPoint(const Vec3&) const;
 template AdvanceResult Deformer<3>::Integrator::stopped() const;
 
 }  // namespace wend

@@ -58,7 +58,7 @@ Message stopMessage(StopReason reason, const std::string& place, int cell) {
 Message snapMessage(const std::vector<Snap>& snaps, int dimension) {
     if (snaps.empty()) return {};
     const Snap& first = snaps.front();
-    const Vec<3> place(first.place[0], first.place[1], first.place[2]);
+    const Vec3 place(first.place[0], first.place[1], first.place[2]);
     const std::string time = numberText(first.time),
                       where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
     if (snaps.size() == 1)

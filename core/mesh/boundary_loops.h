@@ -8,6 +8,6 @@ namespace wend {
 
 /// Returns the closed polygons that bound a planar mesh, oriented along the cells. Where several meet at a
 /// vertex, their pairing is arbitrary: together they enclose the same area.
-std::vector<std::vector<Vec<2>>> boundaryLoops(const SimplicialMesh<2>& mesh);
+std::vector<std::vector<Vec2>> boundaryLoops(const SimplicialMesh<2>& mesh);
 
 }  // namespace wend

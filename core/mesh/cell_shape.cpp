@@ -17,39 +17,38 @@ Mat<Dim> edgeMatrix(const Points<Dim>& points, const Cell<Dim>& cell) {
     return edges;
 }
 
-double angleBetween(const Vec<3>& a, const Vec<3>& b) {
+double angleBetween(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
-double angleBetween(const Vec<2>& a, const Vec<2>& b) {
+double angleBetween(const Vec2& a, const Vec2& b) {
     return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
 /// Computes the angles at the corners of a triangle.
-void measureAngles(const std::array<Vec<2>, 3>& p, CellShape& shape) {
+void measureAngles(const std::array<Vec2, 3>& p, CellShape& shape) {
     for (int k = 0; k < 3; ++k) {
-        const double angle = angleBetween(Vec<2>(p[(k + 1) % 3] - p[k]), Vec<2>(p[(k + 2) % 3] - p[k]));
+        const double angle = angleBetween(Vec2(p[(k + 1) % 3] - p[k]), Vec2(p[(k + 2) % 3] - p[k]));
         shape.minAngle = std::min(shape.minAngle, angle);
         shape.maxAngle = std::max(shape.maxAngle, angle);
     }
 }
 
 /// The angle at an edge is that between the parts of two other edges across it.
-void measureAngles(const std::array<Vec<3>, 4>& p, CellShape& shape) {
+void measureAngles(const std::array<Vec3, 4>& p, CellShape& shape) {
     for (int i = 0; i < 4; ++i)
         for (int j = i + 1; j < 4; ++j) {
             const int k = i == 0 ? (j == 1 ? 2 : 1) : 0, l = 6 - i - j - k;
-            const Vec<3> edge = p[j] - p[i];
-            const double angle =
-                angleBetween(Vec<3>(edge.cross(p[k] - p[i])), Vec<3>(edge.cross(p[l] - p[i])));
+            const Vec3 edge = p[j] - p[i];
+            const double angle = angleBetween(Vec3(edge.cross(p[k] - p[i])), Vec3(edge.cross(p[l] - p[i])));
             shape.minAngle = std::min(shape.minAngle, angle);
             shape.maxAngle = std::max(shape.maxAngle, angle);
         }
 }
 
-double surfaceOf(const std::array<Vec<2>, 3>& p) {
+double surfaceOf(const std::array<Vec2, 3>& p) {
     return (p[1] - p[0]).norm() + (p[2] - p[1]).norm() + (p[0] - p[2]).norm();
 }
-double surfaceOf(const std::array<Vec<3>, 4>& p) {
+double surfaceOf(const std::array<Vec3, 4>& p) {
     double area = 0;
     for (int k = 0; k < 4; ++k)
         area += 0.5 * (p[(k + 2) % 4] - p[(k + 1) % 4]).cross(p[(k + 3) % 4] - p[(k + 1) % 4]).norm();

@@ -41,7 +41,7 @@ CutCorner crossing(int from, int to, const std::vector<double>& height) {
     return {from, to, height[from] / (height[from] - height[to])};
 }
 
-std::vector<double> heights(const Points<3>& pose, const CutPlane& plane) {
+std::vector<double> heights(const Points3& pose, const CutPlane& plane) {
     std::vector<double> height(static_cast<std::size_t>(pose.cols()));
     for (Eigen::Index i = 0; i < pose.cols(); ++i) height[i] = plane.height(pose.col(i));
     return height;
@@ -59,7 +59,7 @@ void addClipped(CutSurface& surface, const Facet<3>& facet, const std::vector<do
 }
 
 /// The section of a cell: a triangle or a quadrilateral, its corners in order, facing along the normal.
-void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Points<3>& pose,
+void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Points3& pose,
                 const CutPlane& plane, const std::vector<double>& height) {
     std::vector<int> behind, before;
     for (int v : cell) (height[v] <= 0 ? behind : before).push_back(v);
@@ -71,12 +71,12 @@ void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Point
             const std::size_t column = i % 2 == 0 ? j : before.size() - 1 - j;
             polygon.push_back(crossing(behind[i], before[column], height));
         }
-    const auto place = [&](const CutCorner& c) -> Vec<3> {
+    const auto place = [&](const CutCorner& c) -> Vec3 {
         return (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
     };
     // Twice the area vector of the whole polygon: corners may coincide where the plane meets vertices.
-    Vec<3> normal = Vec<3>::Zero();
-    const Vec<3> first = place(polygon[0]);
+    Vec3 normal = Vec3::Zero();
+    const Vec3 first = place(polygon[0]);
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         normal += (place(polygon[i]) - first).cross(place(polygon[i + 1]) - first);
     if (normal.dot(plane.normal) < 0) std::reverse(polygon.begin(), polygon.end());
@@ -94,7 +94,7 @@ CutSurface wholeSurface(const std::vector<Facet<3>>& facets) {
 
 /// Keeps the cells whose centroid is below the plane; the facets between these and all others are on the cut.
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
-                        const Points<3>& pose, const CutPlane& plane) {
+                        const Points3& pose, const CutPlane& plane) {
     std::vector<bool> stays(mesh.cells.size());
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
         stays[c] = plane.height(centroid<3>(pose, mesh.cells[c])) <= 0;
@@ -106,7 +106,7 @@ CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3
     return surface;
 }
 
-CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points<3>& pose,
+CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points3& pose,
                     const CutPlane& plane) {
     const std::vector<double> height = heights(pose, plane);
     CutSurface surface;

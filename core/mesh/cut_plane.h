@@ -8,11 +8,11 @@ namespace wend {
 
 /// The cutting plane of a solid: the side that the normal points to is removed.
 struct CutPlane {
-    Vec<3> point = Vec<3>::Zero();
-    Vec<3> normal = Vec<3>::UnitX();
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitX();
 
     /// Returns the height of a point above the plane, which is positive on the removed side.
-    double height(const Vec<3>& p) const { return normal.dot(p - point); }
+    double height(const Vec3& p) const { return normal.dot(p - point); }
 };
 
 /// Triangles to draw: three corners each (as weights of the mesh's vertices, so that any pose can be drawn
@@ -33,11 +33,11 @@ CutSurface wholeSurface(const std::vector<Facet<3>>& facets);
 
 /// Returns the surface of the union of all cells whose centroid is not cut off ("crinkle" cut).
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
-                        const Points<3>& pose, const CutPlane& plane);
+                        const Points3& pose, const CutPlane& plane);
 
 /// Returns the exact cut: the boundary facets clipped at the plane, and the plane's sections of all cells
 /// that it crosses.
-CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points<3>& pose,
+CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points3& pose,
                     const CutPlane& plane);
 
 }  // namespace wend

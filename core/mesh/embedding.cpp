@@ -80,8 +80,8 @@ class Embedding<Dim>::Outside {
     static std::array<int, 3> asTriangle(const std::array<int, Dim>& facet) {
         return {facet[0], facet[1], facet[Dim - 1]};
     }
-    static Points<3> inSpace(const Points<Dim>& points) {
-        Points<3> result = Points<3>::Zero(3, points.cols());
+    static Points3 inSpace(const Points<Dim>& points) {
+        Points3 result = Points3::Zero(3, points.cols());
         result.template topRows<Dim>() = points;
         return result;
     }

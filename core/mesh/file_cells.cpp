@@ -33,26 +33,26 @@ const Corners& cornersOf(CellKind linear) {
     }
 }
 
-double cornerJacobian(const Points<3>& points, std::span<const int> nodes, const std::array<int, 4>& corner) {
-    const auto at = [&](int k) -> Vec<3> { return points.col(nodes[static_cast<std::size_t>(k)]); };
-    const Vec<3> a = at(corner[1]) - at(corner[0]), b = at(corner[2]) - at(corner[0]),
-                 c = at(corner[3]) - at(corner[0]);
+double cornerJacobian(const Points3& points, std::span<const int> nodes, const std::array<int, 4>& corner) {
+    const auto at = [&](int k) -> Vec3 { return points.col(nodes[static_cast<std::size_t>(k)]); };
+    const Vec3 a = at(corner[1]) - at(corner[0]), b = at(corner[2]) - at(corner[0]),
+               c = at(corner[3]) - at(corner[0]);
     const double lengths = a.norm() * b.norm() * c.norm();
     return lengths > 0 ? a.cross(b).dot(c) / lengths : 0;
 }
 
 /// Returns the corner Jacobian of a quadrilateral in the plane of x and y.
-double flatJacobian(const Points<3>& points, std::span<const int> nodes, int k) {
-    const auto at = [&](int i) -> Vec<2> {
+double flatJacobian(const Points3& points, std::span<const int> nodes, int k) {
+    const auto at = [&](int i) -> Vec2 {
         return points.col(nodes[static_cast<std::size_t>((k + i) % 4)]).head<2>();
     };
-    const Vec<2> a = at(1) - at(0), b = at(3) - at(0);
+    const Vec2 a = at(1) - at(0), b = at(3) - at(0);
     const double lengths = a.norm() * b.norm();
     return lengths > 0 ? (a.x() * b.y() - a.y() * b.x()) / lengths : 0;
 }
 
 /// Returns the least corner Jacobian of a cell times `sign`, its orientation in the file.
-double leastJacobian(const MeshFile& file, const Points<3>& points, int cell, double sign) {
+double leastJacobian(const MeshFile& file, const Points3& points, int cell, double sign) {
     const CellKind linear = linearKind(file.cells.kinds[static_cast<std::size_t>(cell)]);
     const auto nodes = file.cells[cell];
     double least = 1;
@@ -110,7 +110,7 @@ std::vector<std::pair<std::string, int>> cellCounts(const MeshFile& file) {
     return plain ? std::vector<std::pair<std::string, int>>() : all;
 }
 
-std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& points) {
+std::vector<double> cornerJacobians(const MeshFile& file, const Points3& points) {
     std::vector<double> jacobians;
     for (int c = 0; c < file.cells.size(); ++c)
         if (isOfMesh(file, c)) jacobians.push_back(leastJacobian(file, points, c, orientationOf(file, c)));
@@ -118,7 +118,7 @@ std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& point
 }
 
 /// Counts the cells whose corner Jacobian is no longer positive.
-std::string turnedCells(const MeshFile& file, const Points<3>& points) {
+std::string turnedCells(const MeshFile& file, const Points3& points) {
     const std::vector<double> before = cornerJacobians(file, file.points),
                               after = cornerJacobians(file, points);
     int count = 0, first = -1;

@@ -25,10 +25,10 @@ std::vector<std::pair<std::string, int>> cellCounts(const MeshFile& file);
 /// `points`: det[x1 − x0, …] of the edges that leave a corner, divided by the product of their lengths (P.
 /// Knupp, Achieving Finite Element Mesh Quality via Optimization of the Jacobian Matrix Norm, 2000). It is in
 /// [−1, 1], and 1 for polygons and other cells.
-std::vector<double> cornerJacobians(const MeshFile& file, const Points<3>& points);
+std::vector<double> cornerJacobians(const MeshFile& file, const Points3& points);
 
 /// Describes, for the user, the cells whose corner Jacobian changes its sign from the file's points to these:
 /// "2 of 40 cells are turned over at a corner, the first cell 7"; empty if there are none.
-std::string turnedCells(const MeshFile& file, const Points<3>& points);
+std::string turnedCells(const MeshFile& file, const Points3& points);
 
 }  // namespace wend

@@ -73,12 +73,12 @@ class Buffer {
     std::string m_bytes;
 };
 
-std::vector<float> flatten(const Points<3>& points, bool zUp) {
+std::vector<float> flatten(const Points3& points, bool zUp) {
     std::vector<float> values;
     values.reserve(static_cast<std::size_t>(points.size()));
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        const Vec<3> p = points.col(i);
-        const Vec<3> turned = zUp ? Vec<3>(p.x(), p.z(), -p.y()) : p;
+        const Vec3 p = points.col(i);
+        const Vec3 turned = zUp ? Vec3(p.x(), p.z(), -p.y()) : p;
         for (double x : turned) values.push_back(static_cast<float>(x));
     }
     return values;
@@ -157,11 +157,11 @@ void addAnimation(Json& gltf, Buffer& buffer, Json& mesh, const GltfScene& scene
     if (scene.poses.empty()) return;
     const std::size_t count = scene.poses.size();
     Json targets = Json::array();
-    const Points<3> normals = scene.smooth ? vertexNormals(scene.points, scene.triangles) : Points<3>();
+    const Points3 normals = scene.smooth ? vertexNormals(scene.points, scene.triangles) : Points3();
     for (const auto& pose : scene.poses) {
         Json target = {{"POSITION", buffer.floats(flatten(pose - scene.points, zUp), 3, kArrayBuffer, true)}};
         if (scene.smooth) {
-            const Points<3> turned = vertexNormals(pose, scene.triangles) - normals;
+            const Points3 turned = vertexNormals(pose, scene.triangles) - normals;
             target["NORMAL"] = buffer.floats(flatten(turned, zUp), 3, kArrayBuffer, false);
         }
         targets.push_back(target);
@@ -202,9 +202,9 @@ std::string container(const Json& gltf, const std::string& bytes) {
 
 }  // namespace
 
-GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::vector<double> times) {
+GltfScene gltfScene(const Skin& skin, const std::vector<Points3>& poses, std::vector<double> times) {
     const UnfoldedSkin one = unfolded(skin);
-    const auto doubled = [&](const Points<3>& points) { return Points<3>(points(Eigen::all, one.vertices)); };
+    const auto doubled = [&](const Points3& points) { return Points3(points(Eigen::all, one.vertices)); };
     GltfScene scene;
     scene.triangles = one.triangles;
     scene.points = doubled(poses.front());
@@ -220,8 +220,8 @@ GltfScene gltfScene(const Skin& skin, const std::vector<Points<3>>& poses, std::
     return scene;
 }
 
-GltfScene gltfScene(const Skin& skin, const Points<3>& points) {
-    return gltfScene(skin, std::vector<Points<3>>{points}, {});
+GltfScene gltfScene(const Skin& skin, const Points3& points) {
+    return gltfScene(skin, std::vector<Points3>{points}, {});
 }
 
 namespace {
@@ -229,11 +229,11 @@ namespace {
 /// Returns the place of the node. For a shape far from the origin, floats of seven digits would hold little
 /// more than that place. It is itself a float, so that readers lose nothing of it, and zero if the shape is
 /// near the origin.
-Vec<3> nodePlace(const Points<3>& points) {
-    if (points.cols() == 0) return Vec<3>::Zero();
-    const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff(),
-                 middle = low + (high - low) / 2;
-    if (middle.norm() <= (high - low).norm()) return Vec<3>::Zero();
+Vec3 nodePlace(const Points3& points) {
+    if (points.cols() == 0) return Vec3::Zero();
+    const Vec3 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff(),
+               middle = low + (high - low) / 2;
+    if (middle.norm() <= (high - low).norm()) return Vec3::Zero();
     return middle.cast<float>().cast<double>();
 }
 
@@ -247,10 +247,10 @@ void writeGltf(const std::string& path, const GltfScene& scene, bool zUp) {
                  {"scene", 0},
                  {"scenes", Json::array({{{"nodes", {0}}}})},
                  {"nodes", Json::array({{{"mesh", 0}, {"name", scene.name}}})}};
-    const Vec<3> place = nodePlace(scene.points);
-    if (place != Vec<3>::Zero()) gltf["nodes"][0]["translation"] = flatten(place, zUp);
+    const Vec3 place = nodePlace(scene.points);
+    if (place != Vec3::Zero()) gltf["nodes"][0]["translation"] = flatten(place, zUp);
     Buffer buffer(gltf);
-    const Points<3> relative = scene.points.colwise() - place;
+    const Points3 relative = scene.points.colwise() - place;
     Json attributes = {{"POSITION", buffer.floats(flatten(relative, zUp), 3, kArrayBuffer, true)}};
     if (scene.uv.cols() > 0)
         attributes["TEXCOORD_0"] = buffer.floats(flattenUv(scene.uv), 2, kArrayBuffer, false);

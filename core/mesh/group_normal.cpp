@@ -17,11 +17,11 @@ template <int Dim>
 using FacetVertices = std::array<int, Dim>;
 
 /// Returns the normal times the length or area.
-Vec<2> areaNormal(const Points<3>& points, const FacetVertices<2>& f) {
-    const Vec<3> along = points.col(f[1]) - points.col(f[0]);
+Vec2 areaNormal(const Points3& points, const FacetVertices<2>& f) {
+    const Vec3 along = points.col(f[1]) - points.col(f[0]);
     return {along.y(), -along.x()};
 }
-Vec<3> areaNormal(const Points<3>& points, const FacetVertices<3>& f) {
+Vec3 areaNormal(const Points3& points, const FacetVertices<3>& f) {
     return (points.col(f[1]) - points.col(f[0])).cross(points.col(f[2]) - points.col(f[0])) / 2;
 }
 
@@ -59,10 +59,10 @@ double outwardSign(const MeshFile& file) {
     double volume = 0;
     for (const auto& t : file.triangles)
         volume += file.points.col(t[0]).dot(file.points.col(t[1]).cross(file.points.col(t[2])));
-    Vec<3> sum = Vec<3>::Zero();  // 0 of a closed surface
+    Vec3 sum = Vec3::Zero();  // 0 of a closed surface
     double area = 0;
     for (const auto& t : file.triangles) {
-        const Vec<3> normal = areaNormal(file.points, t);
+        const Vec3 normal = areaNormal(file.points, t);
         sum += normal;
         area += normal.norm();
     }
@@ -161,7 +161,7 @@ Vec<Dim> groupNormal(const MeshFile& file, const std::string& name) {
 
 template GroupFacets<2> groupFacets<2>(const MeshFile&, const std::string&);
 template GroupFacets<3> groupFacets<3>(const MeshFile&, const std::string&);
-template Vec<2> groupNormal<2>(const MeshFile&, const std::string&);
-template Vec<3> groupNormal<3>(const MeshFile&, const std::string&);
+template Vec2 groupNormal<2>(const MeshFile&, const std::string&);
+template Vec3 groupNormal<3>(const MeshFile&, const std::string&);
 
 }  // namespace wend

@@ -79,7 +79,7 @@ std::vector<HangingPart> hangingParts(const SimplicialMesh<Dim>& mesh) {
 }
 
 /// Treats the triangles as cells that are connected by edges of exactly two.
-std::vector<HangingPart> hangingParts(const Points<3>& points,
+std::vector<HangingPart> hangingParts(const Points3& points,
                                       const std::vector<std::array<int, 3>>& triangles) {
     const std::vector<int> first = firstAtPlace<3>(points);
     std::vector<std::array<int, 3>> cells = triangles;

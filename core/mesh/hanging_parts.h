@@ -19,7 +19,7 @@ template <int Dim>
 std::vector<HangingPart> hangingParts(const SimplicialMesh<Dim>& mesh);
 
 /// Returns such parts of the volume enclosed by a surface: triangles are connected by edges of two.
-std::vector<HangingPart> hangingParts(const Points<3>& points,
+std::vector<HangingPart> hangingParts(const Points3& points,
                                       const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace wend

@@ -29,7 +29,7 @@ class CellGraph {
     };
     struct Border {
         int cell;
-        Vec<2> a, b;
+        Vec2 a, b;
     };
 
     /// Computes centroids and areas of the cells, and connects those that share an edge.
@@ -149,7 +149,7 @@ class CellGraph {
         }
     };
 
-    static double squaredDistanceToSegment(const Vec<2>& p, const Border& border) {
+    static double squaredDistanceToSegment(const Vec2& p, const Border& border) {
         return (p - nearestOnSegment<2>(p, border.a, border.b)).squaredNorm();
     }
     /// Computes the least value of each cell over the sources that reach it from neighbour to neighbour,
@@ -175,7 +175,7 @@ class CellGraph {
     }
 
     std::vector<std::vector<Neighbour>> m_neighbours;
-    std::vector<Vec<2>> m_centroids;
+    std::vector<Vec2> m_centroids;
     std::vector<double> m_areas;
     std::vector<Border> m_borders;
     DisjointSets m_components;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFlat = 1e-6;  // of the diagonal
 
 /// The vertices that triangles have.
-Points<3> usedPoints(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
+Points3 usedPoints(const Points3& points, const std::vector<std::array<int, 3>>& triangles) {
     std::vector<char> isUsed(static_cast<std::size_t>(points.cols()), 0);
     for (const auto& t : triangles)
         for (const int v : t) isUsed[static_cast<std::size_t>(v)] = 1;
@@ -31,11 +31,11 @@ PlaneFrame frameAcross(int k) {
 }
 
 /// Returns a frame across a unit vector.
-PlaneFrame frameAcross(const Vec<3>& normal) {
+PlaneFrame frameAcross(const Vec3& normal) {
     int largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);
-    const Vec<3> n = normal[largest] < 0 ? Vec<3>(-normal) : normal;
-    const Vec<3> along = std::abs(n.x()) < 0.9 ? Vec<3>::UnitX() : Vec<3>::UnitY();
+    const Vec3 n = normal[largest] < 0 ? Vec3(-normal) : normal;
+    const Vec3 along = std::abs(n.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
     PlaneFrame frame;
     frame.axes.col(0) = (along - n.dot(along) * n).normalized();
     frame.axes.col(1) = n.cross(frame.axes.col(0));
@@ -45,8 +45,8 @@ PlaneFrame frameAcross(const Vec<3>& normal) {
 
 }  // namespace
 
-Points<3> PlaneFrame::moved(const Points<3>& points, const Points<2>& moved) const {
-    Points<3> result = points;
+Points3 PlaneFrame::moved(const Points3& points, const Points2& moved) const {
+    Points3 result = points;
     for (int k = 0; k < 2; ++k) {
         int axis = 0;
         if (axes.col(k).cwiseAbs().maxCoeff(&axis) == 1)
@@ -59,18 +59,18 @@ Points<3> PlaneFrame::moved(const Points<3>& points, const Points<2>& moved) con
 
 /// Tries the coordinate planes first, so that coordinates stay those of the file, and then the plane of least
 /// squares.
-std::optional<PlaneFrame> planeOf(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
+std::optional<PlaneFrame> planeOf(const Points3& points, const std::vector<std::array<int, 3>>& triangles) {
     if (triangles.empty()) return std::nullopt;
-    const Points<3> used = usedPoints(points, triangles);
-    const Vec<3> spread = used.rowwise().maxCoeff() - used.rowwise().minCoeff();
+    const Points3 used = usedPoints(points, triangles);
+    const Vec3 spread = used.rowwise().maxCoeff() - used.rowwise().minCoeff();
     const double tolerance = kFlat * spread.stableNorm();
     for (const int k : {2, 1, 0})
         if (spread[k] <= tolerance) return frameAcross(k);
-    const Points<3> centred = used.colwise() - Vec<3>(used.rowwise().mean());
+    const Points3 centred = used.colwise() - Vec3(used.rowwise().mean());
     const double scale = spread.maxCoeff();
     if (!std::isfinite(scale)) return std::nullopt;
-    const Points<3> unit = centred / scale;
-    const PlaneFrame frame = frameAcross(Vec<3>(principalAxes<3>(unit * unit.transpose()).axes.col(0)));
+    const Points3 unit = centred / scale;
+    const PlaneFrame frame = frameAcross(Vec3(principalAxes<3>(unit * unit.transpose()).axes.col(0)));
     const auto heights = (frame.axes.col(2).transpose() * centred).eval();
     if (heights.maxCoeff() - heights.minCoeff() > tolerance) return std::nullopt;
     return frame;

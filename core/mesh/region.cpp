@@ -13,7 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Even–odd rule: a point is inside if a ray from it crosses the boundary an odd number of times.
 template <int Dim>
 double distanceOf(const Polygon& polygon, const Vec<Dim>& at) {
-    const Vec<2> p = at.template head<2>();
+    const Vec2 p = at.template head<2>();
     const auto& points = polygon.points;
     double nearest = infinity;
     bool inside = false;
@@ -112,12 +112,12 @@ struct Converted {
 }  // namespace
 
 Region<2> inPlane(const Region<3>& region) {
-    const auto map = [](const Vec<3>& p) { return inPlane(p); };
+    const auto map = [](const Vec3& p) { return inPlane(p); };
     return std::visit(Converted<2, decltype(map)>{map}, region);
 }
 
 Region<3> inSpace(const Region<2>& region) {
-    const auto map = [](const Vec<2>& p) { return inSpace(p); };
+    const auto map = [](const Vec2& p) { return inSpace(p); };
     return std::visit(Converted<3, decltype(map)>{map}, region);
 }
 

@@ -10,7 +10,7 @@ namespace wend {
 
 /// Shapes that name a part of the plane or of space; used by handles and by the material.
 struct Polygon {  // in space an infinite prism along z
-    std::vector<Vec<2>> points;
+    std::vector<Vec2> points;
     bool operator==(const Polygon&) const = default;
 };
 /// A disc or ball.

@@ -17,16 +17,16 @@ double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b
     return (p - nearestOnSegment<Dim>(p, a, b)).norm();
 }
 
-bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
+bool crossesRay(const Vec2& a, const Vec2& b, const Vec2& p) {
     if ((a.y() > p.y()) == (b.y() > p.y())) return false;
     const double side = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
     return (side > 0) == (b.y() > a.y());
 }
 
-double loopArea(const std::vector<Vec<2>>& loop) {
+double loopArea(const std::vector<Vec2>& loop) {
     double twice = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<2> p = loop[k] - loop[0], q = loop[(k + 1) % loop.size()] - loop[0];
+        const Vec2 p = loop[k] - loop[0], q = loop[(k + 1) % loop.size()] - loop[0];
         twice += p.x() * q.y() - p.y() * q.x();
     }
     return twice / 2;

@@ -16,9 +16,9 @@ double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b
 
 /// Returns whether the segment a → b crosses the ray from p in positive x direction: p is inside a boundary
 /// with an odd number of crossings. Half-open in y, so that a ray through a corner counts once.
-bool crossesRay(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p);
+bool crossesRay(const Vec2& a, const Vec2& b, const Vec2& p);
 
 /// Returns the signed area of a closed loop by the shoelace formula.
-double loopArea(const std::vector<Vec<2>>& loop);
+double loopArea(const std::vector<Vec2>& loop);
 
 }  // namespace wend

@@ -30,7 +30,7 @@ ShapeSize<Dim> shapeSize(const Points<Dim>& points, const std::vector<Cell<Dim>>
     return {mean, std::sqrt(12 * moment / measure)};
 }
 
-template ShapeSize<2> shapeSize<2>(const Points<2>&, const std::vector<Cell<2>>&);
-template ShapeSize<3> shapeSize<3>(const Points<3>&, const std::vector<Cell<3>>&);
+template ShapeSize<2> shapeSize<2>(const Points2&, const std::vector<Cell<2>>&);
+template ShapeSize<3> shapeSize<3>(const Points3&, const std::vector<Cell<3>>&);
 
 }  // namespace wend

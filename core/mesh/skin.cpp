@@ -52,15 +52,15 @@ UnfoldedSkin unfolded(const Skin& skin) {
     return result;
 }
 
-Points<3> vertexNormals(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles) {
-    Points<3> normals = Points<3>::Zero(3, points.cols());
+Points3 vertexNormals(const Points3& points, const std::vector<std::array<int, 3>>& triangles) {
+    Points3 normals = Points3::Zero(3, points.cols());
     for (const auto& t : triangles) {
-        const Vec<3> normal = (points.col(t[1]) - points.col(t[0]))
-                                  .cross(points.col(t[2]) - points.col(t[0]))
-                                  .stableNormalized();
+        const Vec3 normal = (points.col(t[1]) - points.col(t[0]))
+                                .cross(points.col(t[2]) - points.col(t[0]))
+                                .stableNormalized();
         for (int k = 0; k < 3; ++k) {
-            const Vec<3> a = points.col(t[(k + 1) % 3]) - points.col(t[k]),
-                         b = points.col(t[(k + 2) % 3]) - points.col(t[k]);
+            const Vec3 a = points.col(t[(k + 1) % 3]) - points.col(t[k]),
+                       b = points.col(t[(k + 2) % 3]) - points.col(t[k]);
             normals.col(t[k]) += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
         }
     }

@@ -17,7 +17,7 @@ struct SkinMaterial {
 /// The visible and exported surface of a solid: the surface that it was made from, a detailed embedded one,
 /// or its boundary.
 struct Skin {
-    Points<3> points;
+    Points3 points;
     std::vector<std::array<int, 3>> triangles;
     /// Texture points, origin at the bottom left, and which of them the corners of each triangle have; both
     /// empty if there is no texture, the second as long as `triangles` otherwise.
@@ -50,6 +50,6 @@ UnfoldedSkin unfolded(const Skin& skin);
 
 /// Returns unit normals of the vertices, weighted by the corners' angles; zero at vertices without a
 /// triangle.
-Points<3> vertexNormals(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles);
+Points3 vertexNormals(const Points3& points, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace wend

@@ -41,9 +41,9 @@ MeshFile madeFile(const Skin& skin) {
 
 /// Returns the file that the skin comes from, with polygons, lines, groups and fields, or what can be written
 /// without one.
-MeshFile toMeshFile(const Skin& skin, const Points<3>& points, const std::vector<MeshField>& fields) {
+MeshFile toMeshFile(const Skin& skin, const Points3& points, const std::vector<MeshField>& fields) {
     MeshFile file = skin.path.empty() ? madeFile(skin) : readMeshFile(skin.path, MeshNeeds::Points);
-    const Points<3> before = skin.path.empty() ? points : Points<3>(file.points);
+    const Points3 before = skin.path.empty() ? points : Points3(file.points);
     if (before.cols() != points.cols())
         throw InputError(skin.path, "has changed: it has " + std::to_string(before.cols()) +
                                         " vertices, where " + std::to_string(points.cols()) + " were read");
@@ -131,7 +131,7 @@ std::vector<std::string> lookFilesOf(const std::string& path) {
     }
 }
 
-void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
+void writeSkin(const std::string& path, const Skin& skin, const Points3& points,
                const std::vector<MeshField>& fields, const MeshWriteOptions& options) {
     requireSkinHeldBy(path, skin);
     if (hasExtension(path, ".glb")) return writeGltf(path, gltfScene(skin, points));

@@ -24,7 +24,7 @@ std::vector<std::string> lookFilesOf(const std::string& path);
 /// turn with the surface. `fields` (per vertex or triangle of the skin) are written if the format supports
 /// them, and so are lines of the skin's file. Throws InputError, also for a format that cannot hold points
 /// without triangles if the skin has none.
-void writeSkin(const std::string& path, const Skin& skin, const Points<3>& points,
+void writeSkin(const std::string& path, const Skin& skin, const Points3& points,
                const std::vector<MeshField>& fields = {}, const MeshWriteOptions& options = {});
 
 /// Throws InputError if the skin has no triangles and a file of that name needs some.

@@ -11,16 +11,15 @@ constexpr int kLeaf = 4;  // triangles
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 /// Returns the distance along the ray (Möller and Trumbore 1997), or infinity.
-double distanceTo(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& origin,
-                  const Vec<3>& direction) {
-    const Vec<3> e1 = b - a, e2 = c - a;
-    const Vec<3> p = direction.cross(e2);
+double distanceTo(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& origin, const Vec3& direction) {
+    const Vec3 e1 = b - a, e2 = c - a;
+    const Vec3 p = direction.cross(e2);
     const double det = e1.dot(p);
     if (det == 0) return kNothing;
-    const Vec<3> s = origin - a;
+    const Vec3 s = origin - a;
     const double u = s.dot(p) / det;
     if (!(u >= 0 && u <= 1)) return kNothing;
-    const Vec<3> q = s.cross(e1);
+    const Vec3 q = s.cross(e1);
     const double v = direction.dot(q) / det;
     if (!(v >= 0 && u + v <= 1)) return kNothing;
     const double t = e2.dot(q) / det;
@@ -28,7 +27,7 @@ double distanceTo(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3
 }
 
 /// Returns where the ray enters the box, or infinity. Slightly enlarged, so that rounding loses no triangle.
-double entryOf(const Vec<3>& low, const Vec<3>& high, const Vec<3>& origin, const Vec<3>& direction) {
+double entryOf(const Vec3& low, const Vec3& high, const Vec3& origin, const Vec3& direction) {
     constexpr double kSlack = 1 + 1e-12;
     double from = 0, to = kNothing;
     for (int k = 0; k < 3; ++k) {
@@ -44,7 +43,7 @@ double entryOf(const Vec<3>& low, const Vec<3>& high, const Vec<3>& origin, cons
 }
 
 /// Weights of the point of the segment a b that is nearest to p.
-Eigen::Vector2d nearestOnEdge(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b) {
+Eigen::Vector2d nearestOnEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
     const double length = (b - a).squaredNorm();
     const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0;
     return {1 - t, t};
@@ -52,14 +51,14 @@ Eigen::Vector2d nearestOnEdge(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b)
 
 /// Returns the barycentric weights of the triangle's point nearest to p: its projection if inside, else the
 /// nearest point of the edges.
-Vec<3> nearestOnTriangle(const Vec<3>& p, const std::array<Vec<3>, 3>& x) {
-    const Vec<3> e1 = x[1] - x[0], e2 = x[2] - x[0], n = e1.cross(e2), q = p - x[0];
+Vec3 nearestOnTriangle(const Vec3& p, const std::array<Vec3, 3>& x) {
+    const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], n = e1.cross(e2), q = p - x[0];
     const double area = n.squaredNorm();
     if (area > 0) {
         const double w1 = q.cross(e2).dot(n) / area, w2 = e1.cross(q).dot(n) / area;
         if (w1 >= 0 && w2 >= 0 && w1 + w2 <= 1) return {1 - w1 - w2, w1, w2};
     }
-    Vec<3> best = Vec<3>::UnitX();
+    Vec3 best = Vec3::UnitX();
     double minimum = kNothing;
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
@@ -74,20 +73,20 @@ Vec<3> nearestOnTriangle(const Vec<3>& p, const std::array<Vec<3>, 3>& x) {
     return best;
 }
 
-double squaredDistance(const Vec<3>& low, const Vec<3>& high, const Vec<3>& p) {
+double squaredDistance(const Vec3& low, const Vec3& high, const Vec3& p) {
     return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm();
 }
 
 }  // namespace
 
-TriangleTree::TriangleTree(const Points<3>& points, std::vector<std::array<int, 3>> triangles)
+TriangleTree::TriangleTree(const Points3& points, std::vector<std::array<int, 3>> triangles)
     : m_points(points), m_triangles(std::move(triangles)), m_order(m_triangles.size()) {
     std::iota(m_order.begin(), m_order.end(), 0);
-    std::vector<Vec<3>> centres;
+    std::vector<Vec3> centres;
     centres.reserve(m_triangles.size());
     for (const auto& t : m_triangles) {
-        const Vec<3> centre = (points.col(t[0]) + points.col(t[1]) + points.col(t[2])) / 3;
-        centres.push_back(centre.allFinite() ? centre : Vec<3>::Zero());
+        const Vec3 centre = (points.col(t[0]) + points.col(t[1]) + points.col(t[2])) / 3;
+        centres.push_back(centre.allFinite() ? centre : Vec3::Zero());
     }
     m_nodes.reserve(m_triangles.size());
     if (!m_triangles.empty()) build(0, triangleCount(), centres);
@@ -95,7 +94,7 @@ TriangleTree::TriangleTree(const Points<3>& points, std::vector<std::array<int, 
 }
 
 /// Halves the triangles along the longest side of their centres' box, down to a few.
-int TriangleTree::build(int first, int last, const std::vector<Vec<3>>& centres) {
+int TriangleTree::build(int first, int last, const std::vector<Vec3>& centres) {
     const int index = static_cast<int>(m_nodes.size());
     m_nodes.emplace_back();
     if (last - first <= kLeaf) {
@@ -103,7 +102,7 @@ int TriangleTree::build(int first, int last, const std::vector<Vec<3>>& centres)
         m_nodes[index].count = last - first;
         return index;
     }
-    Vec<3> low = centres[m_order[first]], high = low;
+    Vec3 low = centres[m_order[first]], high = low;
     for (int i = first; i < last; ++i) {
         low = low.cwiseMin(centres[m_order[i]]);
         high = high.cwiseMax(centres[m_order[i]]);
@@ -138,13 +137,13 @@ void TriangleTree::fit(Node& node, int index) {
 }
 
 /// Updates the boxes from the end of the list, where children follow their parents.
-void TriangleTree::refit(const Points<3>& points) {
+void TriangleTree::refit(const Points3& points) {
     m_points = points;
     for (int i = static_cast<int>(m_nodes.size()) - 1; i >= 0; --i) fit(m_nodes[i], i);
 }
 
 /// Visits the nearer child first, and skips boxes that the ray enters behind the nearest hit so far.
-TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& direction) const {
+TriangleTree::Hit TriangleTree::firstHit(const Vec3& origin, const Vec3& direction) const {
     Hit hit;
     if (m_nodes.empty()) return hit;
     struct Entry {
@@ -182,7 +181,7 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec<3>& origin, const Vec<3>& dir
 }
 
 /// Visits the nearer child first, and skips boxes that are farther away than the nearest point so far.
-TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
     Nearest best;
     double minimum = kNothing;
     std::vector<std::pair<int, double>> open;
@@ -194,8 +193,8 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec<3>& p) const {
         const Node& node = m_nodes[index];
         for (int i = node.first; i < node.first + node.count; ++i) {
             const auto& t = m_triangles[m_order[i]];
-            const std::array<Vec<3>, 3> x{m_points.col(t[0]), m_points.col(t[1]), m_points.col(t[2])};
-            const Vec<3> weights = nearestOnTriangle(p, x);
+            const std::array<Vec3, 3> x{m_points.col(t[0]), m_points.col(t[1]), m_points.col(t[2])};
+            const Vec3 weights = nearestOnTriangle(p, x);
             const double there =
                 (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] - p).squaredNorm();
             if (!(there < minimum)) continue;

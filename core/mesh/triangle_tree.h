@@ -20,33 +20,33 @@ class TriangleTree {
     };
 
     TriangleTree() = default;
-    TriangleTree(const Points<3>& points, std::vector<std::array<int, 3>> triangles);
+    TriangleTree(const Points3& points, std::vector<std::array<int, 3>> triangles);
 
     /// Updates the tree to other points of the same triangles.
-    void refit(const Points<3>& points);
+    void refit(const Points3& points);
     /// Returns the nearest triangle that the ray meets, from either side. `direction` must have length 1.
-    Hit firstHit(const Vec<3>& origin, const Vec<3>& direction) const;
+    Hit firstHit(const Vec3& origin, const Vec3& direction) const;
     /// The point of all triangles nearest to p: its triangle (−1 for an empty tree) and the barycentric
     /// weights. Of triangles at the same distance, any one may be the result.
     struct Nearest {
         int triangle = -1;
-        Vec<3> weights = Vec<3>::Zero();
+        Vec3 weights = Vec3::Zero();
     };
     /// Returns the point of all triangles nearest to p.
-    Nearest nearest(const Vec<3>& p) const;
+    Nearest nearest(const Vec3& p) const;
     int triangleCount() const { return static_cast<int>(m_triangles.size()); }
 
   private:
     /// A box with its triangles, or with two children. The left child follows its parent in the list.
     struct Node {
-        Vec<3> low, high;
+        Vec3 low, high;
         int first = 0, count = 0;  // of m_order; inner nodes have count 0
         int right = -1;            // the left child is the next node
     };
-    int build(int first, int last, const std::vector<Vec<3>>& centres);
+    int build(int first, int last, const std::vector<Vec3>& centres);
     void fit(Node& node, int index);
 
-    Points<3> m_points;
+    Points3 m_points;
     std::vector<std::array<int, 3>> m_triangles;
     std::vector<int> m_order;  // triangles, those of a leaf side by side
     std::vector<Node> m_nodes;

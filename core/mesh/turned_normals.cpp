@@ -36,8 +36,8 @@ void turn(const Eigen::Quaterniond& by, double& x, double& y, double& z) {
 
 /// Returns the least rotation from a direction to another one; from one to its opposite, it turns about any
 /// axis across. Eigen's own takes seven seconds to compile, for a decomposition that finds this axis.
-Eigen::Quaterniond turnBetween(const Vec<3>& from, const Vec<3>& to) {
-    const Vec<3> a = from.normalized(), b = to.normalized();
+Eigen::Quaterniond turnBetween(const Vec3& from, const Vec3& to) {
+    const Vec3 a = from.normalized(), b = to.normalized();
     const double cosine = b.dot(a);
     Eigen::Quaterniond turn;
     if (cosine < -1 + Eigen::NumTraits<double>::dummy_precision()) {
@@ -53,9 +53,9 @@ Eigen::Quaterniond turnBetween(const Vec<3>& from, const Vec<3>& to) {
 
 }  // namespace
 
-std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>& now,
+std::vector<Eigen::Quaterniond> turnsOf(const Points3& before, const Points3& now,
                                         const std::vector<std::array<int, 3>>& triangles) {
-    const Points<3> old = vertexNormals(before, triangles), turned = vertexNormals(now, triangles);
+    const Points3 old = vertexNormals(before, triangles), turned = vertexNormals(now, triangles);
     std::vector<Eigen::Quaterniond> turns(static_cast<std::size_t>(old.cols()),
                                           Eigen::Quaterniond::Identity());
     for (Eigen::Index v = 0; v < old.cols(); ++v)
@@ -73,7 +73,7 @@ std::array<const MeshField*, 3> normalFieldsOf(const MeshFile& file) {
 
 /// Finds the fields that are normals, and turns each vertex's by the rotation from its normal before to the
 /// present one.
-void turnNormals(const Points<3>& before, MeshFile& file) {
+void turnNormals(const Points3& before, MeshFile& file) {
     MeshField *x = vertexField(file, "nx"), *y = vertexField(file, "ny"), *z = vertexField(file, "nz");
     const bool apart = x && y && z;
     if (!apart && std::ranges::none_of(file.fields, isVectorOfNormals)) return;

@@ -15,13 +15,13 @@ struct MeshFile;
 inline constexpr std::array<const char*, 3> kNormalNames = {"nx", "ny", "nz"};
 
 /// Returns for every vertex the smallest rotation from the normal of a surface there to that after a move.
-std::vector<Eigen::Quaterniond> turnsOf(const Points<3>& before, const Points<3>& now,
+std::vector<Eigen::Quaterniond> turnsOf(const Points3& before, const Points3& now,
                                         const std::vector<std::array<int, 3>>& triangles);
 
 /// Turns the normals of vertices that are fields of a file (nx, ny, nz, or three components of a name with
 /// "normal") as its triangles turned from `before` to their present points: by the smallest rotation between
 /// the surface's own normals there. Where nothing moves, they keep their bits.
-void turnNormals(const Points<3>& before, MeshFile& file);
+void turnNormals(const Points3& before, MeshFile& file);
 
 /// Returns the fields nx, ny and nz of vertices, in this order; null unless all three are there.
 std::array<const MeshField*, 3> normalFieldsOf(const MeshFile& file);

@@ -108,7 +108,7 @@ class CubeMesher {
     const CubeGrid& m_grid;
     std::vector<std::int64_t> m_full;
     std::vector<std::array<int, 8>> m_corners;  // vertices, by the axes' sides as bits
-    std::vector<Vec<3>> m_points;               // the middles first
+    std::vector<Vec3> m_points;                 // the middles first
     std::vector<Cell<3>> m_cells;
 };
 
@@ -138,9 +138,9 @@ class CageFitter {
     Cage ofCount(int aim) {
         Cage best;
         double bestError = std::numeric_limits<double>::infinity();
-        Vec<3> bestShift = m_shift;
+        Vec3 bestShift = m_shift;
         for (int shift = 0; shift < 8 && bestError > kPromised; ++shift) {
-            m_shift = Vec<3>(shift & 1, shift >> 1 & 1, shift >> 2 & 1) / 2;
+            m_shift = Vec3(shift & 1, shift >> 1 & 1, shift >> 2 & 1) / 2;
             Cage cage = search(aim);
             const double error = errorOf(cage, aim);
             if (error >= bestError) continue;
@@ -262,7 +262,7 @@ class CageFitter {
     Eigen::AlignedBox3d m_box;
     double m_diagonal = 0;
     mutable double m_minEdge = 0;
-    Vec<3> m_shift = Vec<3>::Zero();  // of the cubes
+    Vec3 m_shift = Vec3::Zero();  // of the cubes
 };
 
 void requireFinite(const Surface& surface) {

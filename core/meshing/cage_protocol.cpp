@@ -5,10 +5,10 @@
 namespace wend {
 namespace {
 
-bool points(ArrayReader& reader, Points<3>& points) {
+bool points(ArrayReader& reader, Points3& points) {
     std::vector<double> values;
     if (!reader.array(values) || values.size() % 3 != 0) return false;
-    points = Eigen::Map<const Points<3>>(values.data(), 3, static_cast<Eigen::Index>(values.size() / 3));
+    points = Eigen::Map<const Points3>(values.data(), 3, static_cast<Eigen::Index>(values.size() / 3));
     return true;
 }
 
@@ -24,7 +24,7 @@ bool gaps(ArrayReader& reader, std::vector<ClosedGap>& gaps) {
     std::vector<double> numbers;
     if (!reader.array(numbers) || numbers.size() % 5 != 0) return false;
     for (std::size_t i = 0; i < numbers.size(); i += 5)
-        gaps.push_back({numbers[i], Vec<3>(numbers[i + 1], numbers[i + 2], numbers[i + 3]), numbers[i + 4]});
+        gaps.push_back({numbers[i], Vec3(numbers[i + 1], numbers[i + 2], numbers[i + 3]), numbers[i + 4]});
     return true;
 }
 

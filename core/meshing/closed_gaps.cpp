@@ -31,7 +31,7 @@ class FineSurface {
     }
 
     Surface surface() && {
-        Surface fine{Points<3>(3, static_cast<Eigen::Index>(m_points.size())), std::move(m_triangles), {}};
+        Surface fine{Points3(3, static_cast<Eigen::Index>(m_points.size())), std::move(m_triangles), {}};
         for (std::size_t i = 0; i < m_points.size(); ++i)
             fine.points.col(static_cast<Eigen::Index>(i)) = m_points[i];
         return fine;
@@ -60,7 +60,7 @@ class FineSurface {
     }
 
     double m_longest;
-    std::vector<Vec<3>> m_points;
+    std::vector<Vec3> m_points;
     std::vector<std::array<int, 3>> m_triangles;
     std::map<std::array<int, 2>, int> m_middles;
 };
@@ -98,10 +98,8 @@ class GapFinder {
         std::vector<std::int64_t> cubes;
     };
 
-    Vec<3> corner(int triangle, int k) const {
-        return m_surface.points.col(m_surface.triangles[triangle][k]);
-    }
-    Vec<3> middleOf(int t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
+    Vec3 corner(int triangle, int k) const { return m_surface.points.col(m_surface.triangles[triangle][k]); }
+    Vec3 middleOf(int t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
 
     /// Returns the axis that a normal is nearest to, in either direction: 0 … 5.
     int directionOf(int t) const {
@@ -118,8 +116,8 @@ class GapFinder {
             for (int k = 0; k < 3; ++k) boxes[partOf(t)].extend(corner(t, k));
         std::map<int, double> volumes;
         for (int t = 0; t < m_surface.triangleCount(); ++t) {
-            const Vec<3> centre = boxes[partOf(t)].center(), a = corner(t, 0) - centre;
-            const Vec<3> normal = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+            const Vec3 centre = boxes[partOf(t)].center(), a = corner(t, 0) - centre;
+            const Vec3 normal = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
             volumes[partOf(t)] += a.dot(normal);
             m_normals.col(t) = normal.stableNormalized();
         }
@@ -139,13 +137,13 @@ class GapFinder {
 
     /// Looks along the normal of a triangle, outside of the surface, for a side that faces it.
     void lookFrom(int t) {
-        const Vec<3> from = middleOf(t), normal = m_normals.col(t);
+        const Vec3 from = middleOf(t), normal = m_normals.col(t);
         const TriangleTree::Hit hit = m_tree.firstHit(from + m_off * normal, normal);
         if (hit.triangle < 0 || hit.distance > m_widest || hit.distance < kTouching * m_grid.edge() ||
             partOf(hit.triangle) != partOf(t))
             return;
         if (m_normals.col(hit.triangle).dot(normal) > kOpposite) return;
-        const Vec<3> to = from + (m_off + hit.distance) * normal;
+        const Vec3 to = from + (m_off + hit.distance) * normal;
         std::vector<std::int64_t> cubes = cubesBetween(from, to);
         const double width = (to - from).norm();
         if (cubes.empty() || areNearAlong(t, hit.triangle, to, kAround * std::max(width, m_grid.edge())))
@@ -154,7 +152,7 @@ class GapFinder {
     }
 
     /// Returns the cubes between two points; none if one of them is not full.
-    std::vector<std::int64_t> cubesBetween(const Vec<3>& from, const Vec<3>& to) const {
+    std::vector<std::int64_t> cubesBetween(const Vec3& from, const Vec3& to) const {
         const int steps = 1 + static_cast<int>(4 * (to - from).norm() / m_grid.edge());
         std::vector<std::int64_t> cubes;
         for (int i = 0; i <= steps; ++i) {
@@ -167,7 +165,7 @@ class GapFinder {
 
     /// Returns whether a path along edges of at most `limit` connects the centre of a triangle with a point
     /// of another.
-    bool areNearAlong(int one, int other, const Vec<3>& to, double limit) const {
+    bool areNearAlong(int one, int other, const Vec3& to, double limit) const {
         using Entry = std::pair<double, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
         std::unordered_map<int, double> best;
@@ -222,7 +220,7 @@ class GapFinder {
     double m_widest, m_off = 0;
     const TriangleTree m_tree;
     DisjointSets m_parts;
-    Points<3> m_normals;
+    Points3 m_normals;
     std::vector<std::vector<int>> m_neighbours;
     std::vector<Seen> m_seen;
 };

@@ -13,7 +13,7 @@ class CubeGrid;
 /// A gap within one part of a surface that a cage closes, so that both sides move together.
 struct ClosedGap {
     double width = 0;
-    Vec<3> place = Vec<3>::Zero();  // in the middle of it, where it is narrowest
+    Vec3 place = Vec3::Zero();  // in the middle of it, where it is narrowest
     double cubeAcross = 1;  // how long a cube is across it, in its edges: up to √3 where the gap is oblique
 };
 

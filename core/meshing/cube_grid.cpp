@@ -135,12 +135,12 @@ class Enclosure {
     /// centre behind it. The lines are slightly shifted, because vertices often have round coordinates.
     void cross(const CubeGrid::Triangle& triangle, int axis, std::vector<std::int16_t>& entered) const {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const Vec<3> origin = m_grid.corner({0, 0, 0});
-        std::array<Vec<3>, 3> p;  // in cubes, middles at whole numbers
-        const Vec<3> beside(0.0131, 0.0277, 0.0419);
+        const Vec3 origin = m_grid.corner({0, 0, 0});
+        std::array<Vec3, 3> p;  // in cubes, middles at whole numbers
+        const Vec3 beside(0.0131, 0.0277, 0.0419);
         for (int k = 0; k < 3; ++k)
-            p[k] = (triangle[k] - origin) / m_grid.edge() - Vec<3>::Constant(0.5) - beside;
-        const Vec<3> normal = (p[1] - p[0]).cross(p[2] - p[0]);
+            p[k] = (triangle[k] - origin) / m_grid.edge() - Vec3::Constant(0.5) - beside;
+        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
         if (normal[axis] == 0) return;
         const auto& counts = m_grid.counts();
         const auto range = [&](int along) {
@@ -162,10 +162,10 @@ class Enclosure {
             }
     }
 
-    static bool covers(const std::array<Vec<3>, 3>& p, int u, int v, double x, double y) {
+    static bool covers(const std::array<Vec3, 3>& p, int u, int v, double x, double y) {
         int left = 0;
         for (int k = 0; k < 3; ++k) {
-            const Vec<3>&a = p[k], &b = p[(k + 1) % 3];
+            const Vec3 &a = p[k], &b = p[(k + 1) % 3];
             left += (b[u] - a[u]) * (y - a[v]) - (b[v] - a[v]) * (x - a[u]) > 0;
         }
         return left == 0 || left == 3;
@@ -186,9 +186,9 @@ CubeGrid::Place countsFor(const Eigen::AlignedBox3d& box, double edge, int layer
 
 }  // namespace
 
-CubeGrid::CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift)
+CubeGrid::CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec3& shift)
     : m_edge(edge), m_counts(countsFor(box, edge, layers)) {
-    m_low = box.center() + edge * (shift - Vec<3>(m_counts[0], m_counts[1], m_counts[2]) / 2);
+    m_low = box.center() + edge * (shift - Vec3(m_counts[0], m_counts[1], m_counts[2]) / 2);
 }
 
 double CubeGrid::sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers) {
@@ -209,17 +209,17 @@ CubeGrid::Triangle cornersOf(const Surface& surface, int triangle) {
 
 /// Separating axis test with normals of the cube and the triangle, and cross products of their edges.
 bool meetsCube(const CubeGrid::Triangle& triangle, double half) {
-    const auto apart = [&](const Vec<3>& axis) {
+    const auto apart = [&](const Vec3& axis) {
         const std::array along{axis.dot(triangle[0]), axis.dot(triangle[1]), axis.dot(triangle[2])};
         const double reach = half * axis.lpNorm<1>();
         return std::ranges::min(along) > reach || std::ranges::max(along) < -reach;
     };
     for (int k = 0; k < 3; ++k)
-        if (apart(Vec<3>::Unit(k))) return false;
+        if (apart(Vec3::Unit(k))) return false;
     if (apart((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]))) return false;
     for (int e = 0; e < 3; ++e)
         for (int k = 0; k < 3; ++k)
-            if (apart(Vec<3>::Unit(k).cross(triangle[(e + 1) % 3] - triangle[e]))) return false;
+            if (apart(Vec3::Unit(k).cross(triangle[(e + 1) % 3] - triangle[e]))) return false;
     return true;
 }
 

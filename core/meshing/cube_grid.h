@@ -19,7 +19,7 @@ class CubeGrid {
     CubeGrid() = default;
     /// Centres the grid on the box, except for a shift of at most half a cube (in cubes), with `layers` of
     /// cubes beyond it on every side.
-    CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec<3>& shift = Vec<3>::Zero());
+    CubeGrid(const Eigen::AlignedBox3d& box, double edge, int layers, const Vec3& shift = Vec3::Zero());
     /// Returns the number of cubes without overflow.
     static double sizeFor(const Eigen::AlignedBox3d& box, double edge, int layers);
 
@@ -43,15 +43,15 @@ class CubeGrid {
                 static_cast<int>(rest / m_counts[1])};
     }
     /// Returns the cube that contains a point, or the nearest one for a point outside.
-    std::int64_t numberAt(const Vec<3>& p) const {
+    std::int64_t numberAt(const Vec3& p) const {
         return number({index(0, p[0]), index(1, p[1]), index(2, p[2])});
     }
     /// Returns the lowest corner of the cube at a place.
-    Vec<3> corner(const Place& place) const { return m_low + m_edge * Vec<3>(place[0], place[1], place[2]); }
+    Vec3 corner(const Place& place) const { return m_low + m_edge * Vec3(place[0], place[1], place[2]); }
     /// Returns the centre of the cube at a place.
-    Vec<3> centre(const Place& place) const { return corner(place) + Vec<3>::Constant(m_edge / 2); }
+    Vec3 centre(const Place& place) const { return corner(place) + Vec3::Constant(m_edge / 2); }
 
-    using Triangle = std::array<Vec<3>, 3>;
+    using Triangle = std::array<Vec3, 3>;
     /// Calls take(number) for every cube that is at most `distance` away, along the axes, from the triangle.
     /// Large triangles are taken in pieces: a cube may be named several times.
     template <class Take>
@@ -61,7 +61,7 @@ class CubeGrid {
     int index(int axis, double coordinate) const;
 
     double m_edge = 1;
-    Vec<3> m_low = Vec<3>::Zero();
+    Vec3 m_low = Vec3::Zero();
     Place m_counts{};
 };
 
@@ -81,8 +81,8 @@ CubeGrid::Triangle cornersOf(const Surface& surface, int triangle);
 
 template <class Take>
 void CubeGrid::forEachNear(const Triangle& triangle, double distance, const Take& take) const {
-    const Vec<3> low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
-                 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+    const Vec3 low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
+               high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
     if ((high - low).maxCoeff() > 2 * m_edge) {
         int longest = 0;  // edge, from this corner
         for (int k = 1; k < 3; ++k)
@@ -105,7 +105,7 @@ void CubeGrid::forEachNear(const Triangle& triangle, double distance, const Take
     for (int z = from[2]; z <= to[2]; ++z)
         for (int y = from[1]; y <= to[1]; ++y)
             for (int x = from[0]; x <= to[0]; ++x) {
-                const Vec<3> middle = centre({x, y, z});
+                const Vec3 middle = centre({x, y, z});
                 if (meetsCube({triangle[0] - middle, triangle[1] - middle, triangle[2] - middle},
                               m_edge / 2 + distance))
                     take(number({x, y, z}));

@@ -59,7 +59,7 @@ std::optional<FewerCells> fewerCells(const SimplicialMesh<2>& mesh, const PointL
     FewerCells result;
     for (const auto& face : triangulation.finite_face_handles()) {
         const Cell<2> cell{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
-        const Vec<2> middle =
+        const Vec2 middle =
             (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
         const auto place = located.find(middle);
         if (!place) continue;

@@ -9,7 +9,7 @@ namespace wend {
 /// A part of the plane: closed polygons; a point is inside if an odd number of them encloses it (holes,
 /// islands in holes).
 struct Outline {
-    std::vector<std::vector<Vec<2>>> loops;
+    std::vector<std::vector<Vec2>> loops;
     bool operator==(const Outline&) const = default;
 };
 

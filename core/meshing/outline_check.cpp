@@ -14,10 +14,10 @@ namespace wend {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Loop = std::vector<Vec<2>>;
+using Loop = std::vector<Vec2>;
 
-int side(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
-    const auto exact = [](const Vec<2>& v) { return Kernel::Point_2(v.x(), v.y()); };
+int side(const Vec2& a, const Vec2& b, const Vec2& p) {
+    const auto exact = [](const Vec2& v) { return Kernel::Point_2(v.x(), v.y()); };
     return CGAL::orientation(exact(a), exact(b), exact(p));
 }
 
@@ -55,25 +55,25 @@ std::vector<Segment> segmentsOf(const Outline& outline) {
 }
 
 /// Returns the middle of the common part of two overlapping collinear segments.
-std::optional<Vec<2>> overlap(const Segment& s, const Segment& t) {
-    const auto less = [](const Vec<2>& p, const Vec<2>& q) {
+std::optional<Vec2> overlap(const Segment& s, const Segment& t) {
+    const auto less = [](const Vec2& p, const Vec2& q) {
         return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
     };
-    const Vec<2> from = std::max(std::min(s.a, s.b, less), std::min(t.a, t.b, less), less);
-    const Vec<2> to = std::min(std::max(s.a, s.b, less), std::max(t.a, t.b, less), less);
+    const Vec2 from = std::max(std::min(s.a, s.b, less), std::min(t.a, t.b, less), less);
+    const Vec2 to = std::min(std::max(s.a, s.b, less), std::max(t.a, t.b, less), less);
     if (!less(from, to)) return {};
-    return Vec<2>((from + to) / 2);
+    return Vec2((from + to) / 2);
 }
 
-Vec<2> crossing(const Segment& s, const Segment& t) {
-    const Vec<2> u = s.b - s.a, v = t.b - t.a, w = t.a - s.a;
+Vec2 crossing(const Segment& s, const Segment& t) {
+    const Vec2 u = s.b - s.a, v = t.b - t.a, w = t.a - s.a;
     const double det = u.x() * v.y() - u.y() * v.x();
     if (det == 0) return s.a;
     return s.a + u * ((w.x() * v.y() - w.y() * v.x()) / det);
 }
 
 /// The place where segments share more than one touching point, if they do.
-std::optional<Vec<2>> conflict(const Segment& s, const Segment& t) {
+std::optional<Vec2> conflict(const Segment& s, const Segment& t) {
     const int a = side(s.a, s.b, t.a), b = side(s.a, s.b, t.b);
     if (a == 0 && b == 0) return overlap(s, t);
     if (a * b >= 0) return {};
@@ -81,12 +81,12 @@ std::optional<Vec<2>> conflict(const Segment& s, const Segment& t) {
     return crossing(s, t);
 }
 
-bool isOneOf(const Vec<2>& p, const std::vector<Vec<2>>& points) {
+bool isOneOf(const Vec2& p, const std::vector<Vec2>& points) {
     return std::find(points.begin(), points.end(), p) != points.end();
 }
 
 /// Moves corners within the tolerance onto a point, unless they are points themselves.
-bool moveCornersOnto(Outline& outline, const Vec<2>& p, const std::vector<Vec<2>>& points, double tolerance) {
+bool moveCornersOnto(Outline& outline, const Vec2& p, const std::vector<Vec2>& points, double tolerance) {
     bool moved = false;
     for (auto& loop : outline.loops)
         for (auto& corner : loop) {
@@ -98,7 +98,7 @@ bool moveCornersOnto(Outline& outline, const Vec<2>& p, const std::vector<Vec<2>
 }
 
 /// Splits the nearest edge within the tolerance at a point.
-void splitNearestEdge(Outline& outline, const Vec<2>& p, double tolerance) {
+void splitNearestEdge(Outline& outline, const Vec2& p, double tolerance) {
     double nearest = tolerance;
     Loop* where = nullptr;
     std::size_t after = 0;
@@ -153,7 +153,7 @@ void requireNoCrossing(const Outline& outline) {
                           placeName<2>(crossings.front().place)});
 }
 
-Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance) {
+Outline outlineThrough(Outline outline, const std::vector<Vec2>& points, double tolerance) {
     for (const auto& p : points)
         if (!moveCornersOnto(outline, p, points, tolerance)) splitNearestEdge(outline, p, tolerance);
     for (auto& loop : outline.loops) loop = withoutRepeats(loop);

@@ -9,13 +9,13 @@ namespace wend {
 
 /// A line segment from a to b.
 struct Segment {
-    Vec<2> a, b;
+    Vec2 a, b;
 };
 
 /// Two segments that cross or overlap in more than a common end point.
 struct SegmentCrossing {
     std::array<int, 2> segments;  // increasing
-    Vec<2> place;
+    Vec2 place;
 };
 
 /// Returns all crossings in the order of the segments. Uses exact predicates.
@@ -30,6 +30,6 @@ void requireNoCrossing(const Outline& outline);
 
 /// Returns the outline through all points that are within `tolerance` of it: corners that close are moved
 /// onto the point, otherwise the nearest edge is split there.
-Outline outlineThrough(Outline outline, const std::vector<Vec<2>>& points, double tolerance);
+Outline outlineThrough(Outline outline, const std::vector<Vec2>& points, double tolerance);
 
 }  // namespace wend

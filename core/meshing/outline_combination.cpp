@@ -37,7 +37,7 @@ using PieceStructure =
 using PieceTriangulation = CGAL::Constrained_triangulation_plus_2<
     CGAL::Constrained_Delaunay_triangulation_2<ExactKernel, PieceStructure, CGAL::Exact_intersections_tag>>;
 using PieceFace = PieceTriangulation::Face_handle;
-using Loop = std::vector<Vec<2>>;
+using Loop = std::vector<Vec2>;
 
 /// The plane partitioned by both outlines, with the membership of each piece.
 class Pieces {
@@ -65,7 +65,7 @@ class Pieces {
     void insert(const Outline& outline, Inside which) {
         for (const Loop& loop : outline.loops) {
             std::vector<ExactPoint> line;
-            for (const Vec<2>& p : loop) line.emplace_back(p.x(), p.y());
+            for (const Vec2& p : loop) line.emplace_back(p.x(), p.y());
             if (line.size() < 2) continue;
             line.push_back(line.front());
             // Inserts edge by edge, so that a line that retraces itself is valid, too.
@@ -131,9 +131,9 @@ class Pieces {
             const auto onGrid = [](const ExactKernel::FT& x) {
                 return std::round(CGAL::to_double(x) * kGrid) / kGrid;
             };
-            const Vec<2> rough(onGrid(p.x()), onGrid(p.y()));
+            const Vec2 rough(onGrid(p.x()), onGrid(p.y()));
             const bool exact = ExactPoint(CGAL::to_double(p.x()), CGAL::to_double(p.y())) == p;
-            loop.push_back(exact ? Vec<2>(CGAL::to_double(p.x()), CGAL::to_double(p.y())) : rough);
+            loop.push_back(exact ? Vec2(CGAL::to_double(p.x()), CGAL::to_double(p.y())) : rough);
         }
         return loop;
     }
@@ -145,7 +145,7 @@ class Pieces {
 double signedArea(const Loop& loop) {
     double twice = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+        const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
         twice += a.x() * b.y() - b.x() * a.y();
     }
     return twice / 2;
@@ -153,7 +153,7 @@ double signedArea(const Loop& loop) {
 
 void requireFinitePoints(const Outline& outline) {
     for (const Loop& loop : outline.loops)
-        for (const Vec<2>& p : loop)
+        for (const Vec2& p : loop)
             if (!p.allFinite()) throw InputError("the outline has a point that is not finite");
 }
 
@@ -198,7 +198,7 @@ double areaOf(const Outline& outline) {
     return area;
 }
 
-bool isInside(const Outline& outline, const Vec<2>& p) {
+bool isInside(const Outline& outline, const Vec2& p) {
     bool inside = false;
     for (const Loop& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k)

@@ -18,6 +18,6 @@ Outline combined(const Outline& base, const Outline& piece, OutlineOperation ope
 double areaOf(const Outline& outline);
 
 /// Returns whether a point is inside by the even-odd rule.
-bool isInside(const Outline& outline, const Vec<2>& p);
+bool isInside(const Outline& outline, const Vec2& p);
 
 }  // namespace wend

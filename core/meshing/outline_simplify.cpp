@@ -17,7 +17,7 @@ using LineStructure =
 using LineTriangulation = CGAL::Constrained_triangulation_plus_2<
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, LineStructure, CGAL::Exact_predicates_tag>>;
 
-std::vector<Kernel::Point_2> closedLine(const std::vector<Vec<2>>& loop) {
+std::vector<Kernel::Point_2> closedLine(const std::vector<Vec2>& loop) {
     std::vector<Kernel::Point_2> points;
     points.reserve(loop.size() + 1);
     for (const auto& p : loop) points.emplace_back(p.x(), p.y());

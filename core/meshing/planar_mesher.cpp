@@ -27,7 +27,7 @@ constexpr double edgePerRadius = 1.3;
 constexpr std::array minEdges{1e-5, 1e-3, 0.03, 1.0};
 
 double diagonalOf(const Outline& outline) {
-    Vec<2> low = outline.loops[0][0], high = low;
+    Vec2 low = outline.loops[0][0], high = low;
     for (const auto& loop : outline.loops)
         for (const auto& p : loop) {
             low = low.cwiseMin(p);

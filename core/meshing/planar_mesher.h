@@ -18,8 +18,8 @@ struct PlanarMeshOptions {
     /// aimed number of vertices allows. With 0 the mesh's boundary is the outline exactly.
     double simplify = 0;
     /// Returns the length of edges at a place, relative to elsewhere; positive. If empty, edges are even.
-    std::function<double(const Vec<2>&)> factor;
-    std::vector<Vec<2>> points;  // become vertices of the mesh: where handles sit
+    std::function<double(const Vec2&)> factor;
+    std::vector<Vec2> points;  // become vertices of the mesh: where handles sit
     std::stop_token stop;
 };
 

@@ -55,7 +55,7 @@ void insertFrame(MarkedTriangulation& triangulation) {
 
 constexpr int kSamples = 64;  // of an outline's edge, and of a triangle's side, where sizes are not even
 
-Vec<2> vec(const Point& p) {
+Vec2 vec(const Point& p) {
     return {p.x(), p.y()};
 }
 
@@ -125,7 +125,7 @@ void splitBoundaries(MarkedTriangulation& triangulation, double length, const Pl
     }
 }
 
-void insertPoints(MarkedTriangulation& triangulation, const std::vector<Vec<2>>& points) {
+void insertPoints(MarkedTriangulation& triangulation, const std::vector<Vec2>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t known = triangulation.number_of_vertices();
         const Vertex v = triangulation.insert(Point(points[i].x(), points[i].y()));
@@ -240,7 +240,7 @@ SimplicialMesh<2> toMesh(MarkedTriangulation& triangulation, int pointCount) {
 
 }  // namespace
 
-PlanarDomain::PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points, Factor factor)
+PlanarDomain::PlanarDomain(const Outline& outline, const std::vector<Vec2>& points, Factor factor)
     : m_factor(std::move(factor)), m_pointCount(static_cast<int>(points.size())) {
     guarded([&] {
         auto triangulation = std::make_unique<Triangulation>();

@@ -23,10 +23,10 @@ struct RefinementBounds {
 /// hides CGAL.
 class PlanarDomain {
   public:
-    using Factor = std::function<double(const Vec<2>&)>;
+    using Factor = std::function<double(const Vec2&)>;
     /// The outline must be clean and without crossings. `factor`: see PlanarMeshOptions. Throws InputError
     /// for points that are outside or coincide.
-    PlanarDomain(const Outline& outline, const std::vector<Vec<2>>& points, Factor factor = {});
+    PlanarDomain(const Outline& outline, const std::vector<Vec2>& points, Factor factor = {});
     ~PlanarDomain();
 
     /// Return how many edges of the local target length fit in: ∫ f⁻² dA and ∫ f⁻¹ ds.

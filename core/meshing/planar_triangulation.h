@@ -105,7 +105,7 @@ class SizeAndAngle {
     SizeAndAngle() = default;
     /// `factor` multiplies the circumradius at a place; it may be empty, and must outlive this object.
     SizeAndAngle(double circumradius, double sineSquared, double shortest,
-                 const std::function<double(const Vec<2>&)>* factor = nullptr)
+                 const std::function<double(const Vec2&)>* factor = nullptr)
         : m_radiusSquared(circumradius * circumradius),
           m_sineSquared(sineSquared),
           m_shortestSquared(shortest * shortest),
@@ -143,7 +143,7 @@ class SizeAndAngle {
     double m_radiusSquared = 1;
     double m_sineSquared = 0;
     double m_shortestSquared = 0;
-    const std::function<double(const Vec<2>&)>* m_factor = nullptr;
+    const std::function<double(const Vec2&)>* m_factor = nullptr;
 };
 
 }  // namespace wend::planar

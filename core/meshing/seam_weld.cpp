@@ -46,12 +46,12 @@ OpenEdges openEdgesOf(const Surface& surface) {
 }
 
 /// Returns for each of the vertices the index of the nearest other one within reach, −1 if there is none.
-std::vector<int> nearestOf(const std::vector<int>& vertices, const Points<3>& points, double reach) {
+std::vector<int> nearestOf(const std::vector<int>& vertices, const Points3& points, double reach) {
     std::vector<int> nearest(vertices.size(), -1);
     std::vector<double> distance(vertices.size(), reach);
     for (std::size_t i = 0; i < vertices.size(); ++i)
         for (std::size_t j = i + 1; j < vertices.size(); ++j) {
-            const Vec<3> way = points.col(vertices[j]) - points.col(vertices[i]);
+            const Vec3 way = points.col(vertices[j]) - points.col(vertices[i]);
             if (way.x() > reach) break;
             const double length = way.norm();
             for (const auto& [from, to] : {std::pair{i, j}, {j, i}})

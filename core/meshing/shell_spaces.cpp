@@ -122,7 +122,7 @@ void label(const std::vector<SpaceWall>& walls, const std::vector<std::string>& 
 }  // namespace
 
 std::vector<int> shellsOf(const std::vector<std::array<int, 3>>& triangles, int vertices) {
-    const Surface surface{Points<3>::Zero(3, vertices), triangles, {}};
+    const Surface surface{Points3::Zero(3, vertices), triangles, {}};
     DisjointSets sets(surface.triangleCount());
     for (const SurfaceEdge& edge : edgesOf(surface))
         for (const int t : edge.triangles) sets.join(t, edge.triangles.front());

@@ -14,13 +14,13 @@ namespace {
 
 using OrderKernel = CGAL::Simple_cartesian<double>;
 
-std::vector<OrderKernel::Point_2> places(const Points<2>& points) {
+std::vector<OrderKernel::Point_2> places(const Points2& points) {
     std::vector<OrderKernel::Point_2> result;
     for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y());
     return result;
 }
 
-std::vector<OrderKernel::Point_3> places(const Points<3>& points) {
+std::vector<OrderKernel::Point_3> places(const Points3& points) {
     std::vector<OrderKernel::Point_3> result;
     for (const auto& p : points.colwise()) result.emplace_back(p.x(), p.y(), p.z());
     return result;

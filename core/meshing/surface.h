@@ -11,7 +11,7 @@ namespace wend {
 
 /// A triangle surface in space, as a soup with shared vertices. Order is the input's.
 struct Surface {
-    Points<3> points;
+    Points3 points;
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> labels;  // one per triangle, or empty
 
@@ -23,7 +23,7 @@ struct Surface {
 struct TouchingBodies {
     int first, second;
     bool alongAFace;  // else along an edge or at a point
-    Vec<3> place;     // where they do
+    Vec3 place;       // where they do
     int pairs;        // of triangles that touch
 };
 

@@ -33,7 +33,7 @@ Ids sortedIds(Ids ids) {
 /// Exact tests of triangles with merged vertices.
 class Crossing {
   public:
-    explicit Crossing(const Points<3>& points) : m_points(points) {}
+    explicit Crossing(const Points3& points) : m_points(points) {}
 
     CrossingPoint point(int id) const { return {m_points(0, id), m_points(1, id), m_points(2, id)}; }
     bool flat(const Ids& t) const { return CGAL::collinear(point(t[0]), point(t[1]), point(t[2])); }
@@ -74,7 +74,7 @@ class Crossing {
                CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
     }
 
-    const Points<3>& m_points;
+    const Points3& m_points;
 };
 
 /// There may be millions of crossings, so the search stops when enough are found.
@@ -214,7 +214,7 @@ std::vector<SurfaceEdge> edgesOf(const Surface& surface) {
     return edges;
 }
 
-std::vector<int> canonicalVertices(const Points<3>& points) {
+std::vector<int> canonicalVertices(const Points3& points) {
     std::vector<int> order(static_cast<std::size_t>(points.cols()));
     std::iota(order.begin(), order.end(), 0);
     const auto key = [&](int i) { return std::array{points(0, i), points(1, i), points(2, i)}; };

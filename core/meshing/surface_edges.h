@@ -25,6 +25,6 @@ bool runsAlong(const std::array<int, 3>& triangle, int from, int to);
 std::vector<SurfaceEdge> edgesOf(const Surface& surface);
 
 /// Returns for each vertex the first one at the same place (bit for bit; itself if there is none).
-std::vector<int> canonicalVertices(const Points<3>& points);
+std::vector<int> canonicalVertices(const Points3& points);
 
 }  // namespace wend

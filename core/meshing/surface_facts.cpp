@@ -88,18 +88,18 @@ std::vector<Part> partsOf(const Surface& surface, const std::vector<SurfaceEdge>
 /// Returns the signed volume of a part, relative to the middle of its box.
 double signedVolume(const Surface& surface, const Part& part) {
     double volume = 0;
-    const Vec<3> origin = part.box.center();
+    const Vec3 origin = part.box.center();
     for (const int t : part.triangles) {
         const auto& ids = surface.triangles[t];
-        const Vec<3> a = surface.points.col(ids[0]) - origin, b = surface.points.col(ids[1]) - origin,
-                     c = surface.points.col(ids[2]) - origin;
+        const Vec3 a = surface.points.col(ids[0]) - origin, b = surface.points.col(ids[1]) - origin,
+                   c = surface.points.col(ids[2]) - origin;
         volume += a.dot(b.cross(c)) / 6;
     }
     return volume;
 }
 
 /// Assumes closed parts that do not cross, with any orientation.
-bool encloses(const Surface& surface, const Part& part, const Vec<3>& p) {
+bool encloses(const Surface& surface, const Part& part, const Vec3& p) {
     if (!part.box.contains(p)) return false;
     double angle = 0;
     for (const int t : part.triangles) {
@@ -115,7 +115,7 @@ double enclosedVolume(const Surface& surface, const std::vector<Part>& parts, in
     double volume = 0;
     for (const Part& part : parts) {
         const auto& first = surface.triangles[part.triangles[0]];
-        const Vec<3> p =
+        const Vec3 p =
             (surface.points.col(first[0]) + surface.points.col(first[1]) + surface.points.col(first[2])) / 3;
         const auto around = std::ranges::count_if(
             parts, [&](const Part& other) { return &other != &part && encloses(surface, other, p); });
@@ -184,8 +184,8 @@ SurfaceFacts factsOf(const Surface& surface) {
     if (clean.triangles.empty()) return facts;
     Eigen::AlignedBox3d box;
     for (const auto& t : clean.triangles) {
-        const Vec<3> a = clean.points.col(t[0]), b = clean.points.col(t[1]), c = clean.points.col(t[2]);
-        for (const Vec<3>& p : {a, b, c}) box.extend(p);
+        const Vec3 a = clean.points.col(t[0]), b = clean.points.col(t[1]), c = clean.points.col(t[2]);
+        for (const Vec3& p : {a, b, c}) box.extend(p);
         facts.area += (b - a).cross(c - a).norm() / 2;
     }
     facts.low = box.min();

@@ -8,7 +8,7 @@ namespace wend {
 
 /// Basic facts about a surface. Coincident vertices count as one.
 struct SurfaceFacts {
-    Vec<3> low = Vec<3>::Zero(), high = Vec<3>::Zero();  // bounding box of the triangles
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // bounding box of the triangles
     double area = 0;
     int edges = 0;
     double shortestEdge = 0, meanEdge = 0, longestEdge = 0;

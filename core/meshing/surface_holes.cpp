@@ -29,8 +29,8 @@ std::vector<Side> sidesOf(const Surface& surface) {
     return sides;
 }
 
-Vec<3> areaNormal(const Surface& surface, const std::array<int, 3>& t) {
-    const Vec<3> a = surface.points.col(t[0]), b = surface.points.col(t[1]), c = surface.points.col(t[2]);
+Vec3 areaNormal(const Surface& surface, const std::array<int, 3>& t) {
+    const Vec3 a = surface.points.col(t[0]), b = surface.points.col(t[1]), c = surface.points.col(t[2]);
     return (b - a).cross(c - a) / 2;
 }
 
@@ -40,11 +40,11 @@ bool indicesGood(const Surface& surface, const std::array<int, 3>& triangle) {
 }
 
 /// The sums of the normals of the triangles around each vertex, weighted by area.
-Points<3> vertexNormals(const Surface& surface) {
-    Points<3> normals = Points<3>::Zero(3, surface.vertexCount());
+Points3 vertexNormals(const Surface& surface) {
+    Points3 normals = Points3::Zero(3, surface.vertexCount());
     for (const auto& triangle : surface.triangles) {
         if (!indicesGood(surface, triangle)) continue;
-        const Vec<3> normal = areaNormal(surface, triangle);
+        const Vec3 normal = areaNormal(surface, triangle);
         for (const int id : triangle) normals.col(id) += normal;
     }
     return normals;
@@ -88,16 +88,16 @@ class Followers {
 
     /// Returns the angle from a side's reverse to the next one, in [0, 2π).
     double clockwise(const Side& in, const Side& out) const {
-        const Vec<3> at = m_surface.points.col(in.to), n = m_normals.col(in.to).normalized();
-        const Vec<3> from = m_surface.points.col(in.from) - at, to = m_surface.points.col(out.to) - at;
-        const Vec<3> a = from - from.dot(n) * n, b = to - to.dot(n) * n;
+        const Vec3 at = m_surface.points.col(in.to), n = m_normals.col(in.to).normalized();
+        const Vec3 from = m_surface.points.col(in.from) - at, to = m_surface.points.col(out.to) - at;
+        const Vec3 a = from - from.dot(n) * n, b = to - to.dot(n) * n;
         const double angle = std::atan2(b.cross(a).dot(n), a.dot(b));
         return angle < 0 ? angle + 2 * M_PI : angle;
     }
 
     const Surface& m_surface;
     const std::vector<Side>& m_sides;
-    const Points<3> m_normals;
+    const Points3 m_normals;
     std::vector<bool> m_taken;
 };
 
@@ -134,7 +134,7 @@ std::vector<int> around(const std::vector<int>& loop, const std::array<int, 3>& 
 /// The vertex that the fan is made around: one of a triangle's, or a new one.
 int apexOf(Surface& surface, const std::vector<int>& loop) {
     if (loop.size() == 3) return loop[0];
-    Vec<3> centre = Vec<3>::Zero();
+    Vec3 centre = Vec3::Zero();
     for (const int id : loop) centre += surface.points.col(id) / static_cast<double>(loop.size());
     const int apex = surface.vertexCount();
     surface.points.conservativeResize(Eigen::NoChange, apex + 1);
@@ -190,7 +190,7 @@ int besideSlit(const Surface& surface, const std::vector<int>& loop) {
             longest = side;
         }
     }
-    const Vec<3> from = surface.points.col(longest[0]), to = surface.points.col(longest[1]);
+    const Vec3 from = surface.points.col(longest[0]), to = surface.points.col(longest[1]);
     const bool onALine = std::ranges::all_of(loop, [&](int id) {
         return (surface.points.col(id) - from).cross(to - from).norm() <= kSlit * length * length;
     });

@@ -86,13 +86,13 @@ class VolumeMesher {
     /// Returns about the volume that the surface encloses; that of its box if bodies share walls.
     double volume() const {
         if (m_sharesWalls) {
-            const Points<3> sent = m_surface.points(Eigen::all, m_sent);
+            const Points3 sent = m_surface.points(Eigen::all, m_sent);
             return (sent.rowwise().maxCoeff() - sent.rowwise().minCoeff()).prod();
         }
         double sum = 0;
         for (const auto& t : m_oriented.triangles) {
-            const Vec<3> a = m_oriented.points.col(t[0]), b = m_oriented.points.col(t[1]),
-                         c = m_oriented.points.col(t[2]);
+            const Vec3 a = m_oriented.points.col(t[0]), b = m_oriented.points.col(t[1]),
+                       c = m_oriented.points.col(t[2]);
             sum += a.dot(b.cross(c)) / 6;
         }
         return std::abs(sum);
@@ -250,8 +250,8 @@ class VolumeMesher {
         VolumeMesh result;
         keepFilled(reply, result);
         if (result.mesh.cells.empty()) throw InputError(sentence("Core", "the surface encloses no volume"));
-        result.mesh.points = Eigen::Map<const Points<3>>(reply.points.data(), 3,
-                                                         static_cast<Eigen::Index>(reply.points.size() / 3));
+        result.mesh.points = Eigen::Map<const Points3>(reply.points.data(), 3,
+                                                       static_cast<Eigen::Index>(reply.points.size() / 3));
         std::vector<int> newId = dropUnused(result.mesh);
         orientPositive(result.mesh);
         const auto ofSurface = newId.begin() + m_surface.vertexCount();
@@ -365,11 +365,11 @@ void requireSense(const VolumeMeshOptions& options) {
 }  // namespace
 
 /// Chooses nodes that are equally spaced along all axes.
-SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt) {
+SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec3&)>& factorAt) {
     constexpr double kNodes = 50;
     SizeGrid grid;
     grid.low = surface.points.rowwise().minCoeff();
-    const Vec<3> extent = surface.points.rowwise().maxCoeff() - grid.low;
+    const Vec3 extent = surface.points.rowwise().maxCoeff() - grid.low;
     for (int k = 0; k < 3; ++k) {
         grid.counts[k] = 2 + static_cast<int>(kNodes * extent[k] / std::max(extent.maxCoeff(), 1e-300));
         grid.spacing[k] = extent[k] / (grid.counts[k] - 1);
@@ -377,7 +377,7 @@ SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Ve
     for (int z = 0; z < grid.counts[2]; ++z)
         for (int y = 0; y < grid.counts[1]; ++y)
             for (int x = 0; x < grid.counts[0]; ++x)
-                grid.factors.push_back(factorAt(grid.low + grid.spacing.cwiseProduct(Vec<3>(x, y, z))));
+                grid.factors.push_back(factorAt(grid.low + grid.spacing.cwiseProduct(Vec3(x, y, z))));
     return grid;
 }
 

@@ -14,7 +14,7 @@ namespace wend {
 
 /// Relative edge lengths, as factors on a regular grid over the surface's box, with trilinear interpolation.
 struct SizeGrid {
-    Vec<3> low = Vec<3>::Zero(), spacing = Vec<3>::Ones();
+    Vec3 low = Vec3::Zero(), spacing = Vec3::Ones();
     std::array<int, 3> counts{};  // of nodes, x running fastest; 0: the same everywhere
     std::vector<double> factors;
 
@@ -22,7 +22,7 @@ struct SizeGrid {
 };
 
 /// Samples a function at about 50 nodes along the longest side of the surface's box.
-SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec<3>&)>& factorAt);
+SizeGrid sampleSizes(const Surface& surface, const std::function<double(const Vec3&)>& factorAt);
 
 /// The options of meshVolume().
 struct VolumeMeshOptions {

@@ -158,19 +158,19 @@ Curve<3> inSpace(const Curve<2>& curve) {
     return result;
 }
 
-template std::vector<int> distinctPoints<2>(const std::vector<Vec<2>>&);
+template std::vector<int> distinctPoints<2>(const std::vector<Vec2>&);
 template struct CurvePiece<2>;
 template struct Curve<2>;
-template Curve<2> bezierCurve<2>(const std::vector<Vec<2>>&);
-template Curve<2> splineCurve<2>(const std::vector<Vec<2>>&);
-template Curve<2> polylineCurve<2>(const std::vector<Vec<2>>&);
-template Curve<2> timedCurve<2>(const std::vector<double>&, const std::vector<Vec<2>>&);
-template std::vector<int> distinctPoints<3>(const std::vector<Vec<3>>&);
+template Curve<2> bezierCurve<2>(const std::vector<Vec2>&);
+template Curve<2> splineCurve<2>(const std::vector<Vec2>&);
+template Curve<2> polylineCurve<2>(const std::vector<Vec2>&);
+template Curve<2> timedCurve<2>(const std::vector<double>&, const std::vector<Vec2>&);
+template std::vector<int> distinctPoints<3>(const std::vector<Vec3>&);
 template struct CurvePiece<3>;
 template struct Curve<3>;
-template Curve<3> bezierCurve<3>(const std::vector<Vec<3>>&);
-template Curve<3> splineCurve<3>(const std::vector<Vec<3>>&);
-template Curve<3> polylineCurve<3>(const std::vector<Vec<3>>&);
-template Curve<3> timedCurve<3>(const std::vector<double>&, const std::vector<Vec<3>>&);
+template Curve<3> bezierCurve<3>(const std::vector<Vec3>&);
+template Curve<3> splineCurve<3>(const std::vector<Vec3>&);
+template Curve<3> polylineCurve<3>(const std::vector<Vec3>&);
+template Curve<3> timedCurve<3>(const std::vector<double>&, const std::vector<Vec3>&);
 
 }  // namespace wend

@@ -17,13 +17,13 @@ using Triangle = std::array<int, 3>;
 using Segment = std::array<int, 2>;
 
 /// Returns twice the area times the normal; zero for a triangle of no area.
-Vec<3> areaNormal(const Points<3>& points, const Triangle& t) {
+Vec3 areaNormal(const Points3& points, const Triangle& t) {
     return (points.col(t[1]) - points.col(t[0])).cross(points.col(t[2]) - points.col(t[0]));
 }
 
-double angleAt(const Points<3>& points, const Triangle& t, int corner) {
-    const Vec<3> x = points.col(t[corner]);
-    const Vec<3> a = points.col(t[(corner + 1) % 3]) - x, b = points.col(t[(corner + 2) % 3]) - x;
+double angleAt(const Points3& points, const Triangle& t, int corner) {
+    const Vec3 x = points.col(t[corner]);
+    const Vec3 a = points.col(t[(corner + 1) % 3]) - x, b = points.col(t[(corner + 2) % 3]) - x;
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
@@ -43,15 +43,15 @@ std::vector<int> firstOfEqual(const Points<Dim>& points) {
 /// The sum of a direction and others that differ from it by less than a sharp angle, whatever their sense.
 class SmoothDirection {
   public:
-    explicit SmoothDirection(const Vec<3>& own) : m_own(own) {}
-    void add(const Vec<3>& other, double weight) {
+    explicit SmoothDirection(const Vec3& own) : m_own(own) {}
+    void add(const Vec3& other, double weight) {
         const double cosine = m_own.dot(other);
         if (std::abs(cosine) >= kSharp) m_sum += std::copysign(weight, cosine) * other;
     }
-    Vec<3> value() const { return m_sum.norm() > 0 ? Vec<3>(m_sum.normalized()) : m_own; }
+    Vec3 value() const { return m_sum.norm() > 0 ? Vec3(m_sum.normalized()) : m_own; }
 
   private:
-    Vec<3> m_own, m_sum = Vec<3>::Zero();
+    Vec3 m_own, m_sum = Vec3::Zero();
 };
 
 }  // namespace
@@ -83,7 +83,7 @@ GuideSurface<Dim>::GuideSurface(const GuideMesh<Dim>& mesh) {
 /// rim, too.
 template <int Dim>
 void GuideSurface<Dim>::findSharpEdges(const std::vector<Triangle>& triangles) {
-    std::map<Segment, std::vector<Vec<3>>> normalsOf;
+    std::map<Segment, std::vector<Vec3>> normalsOf;
     const auto edgeOf = [](const Triangle& t, int opposite) {
         const auto [a, b] = std::minmax(t[(opposite + 1) % 3], t[(opposite + 2) % 3]);
         return Segment{a, b};
@@ -124,7 +124,7 @@ template <int Dim>
 void GuideSurface<Dim>::smoothTangents() {
     std::map<int, std::vector<int>> around;
     const auto tangent = [&](int s) {
-        return Vec<3>((m_points.col(m_segments[s][1]) - m_points.col(m_segments[s][0])).normalized());
+        return Vec3((m_points.col(m_segments[s][1]) - m_points.col(m_segments[s][0])).normalized());
     };
     for (std::size_t s = 0; s < m_segments.size(); ++s)
         for (const int v : m_segments[s]) around[v].push_back(static_cast<int>(s));
@@ -171,14 +171,14 @@ bool GuideSurface<Dim>::isOnRim(const TriangleTree::Nearest& nearest) const {
 
 /// Returns the nearest place on the faces, with the normal that is interpolated there.
 template <int Dim>
-Contact<Dim> GuideSurface<Dim>::onFace(const Vec<3>& p) const {
+Contact<Dim> GuideSurface<Dim>::onFace(const Vec3& p) const {
     const TriangleTree::Nearest nearest = m_faces.nearest(p);
     const auto& [f, w] = nearest;
     const Triangle& t = m_triangles[f];
-    Vec<3> x = w[0] * m_points.col(t[0]) + w[1] * m_points.col(t[1]) + w[2] * m_points.col(t[2]);
-    const Vec<3> n = m_normals.template middleCols<3>(3 * static_cast<Eigen::Index>(f)) * w;
+    Vec3 x = w[0] * m_points.col(t[0]) + w[1] * m_points.col(t[1]) + w[2] * m_points.col(t[2]);
+    const Vec3 n = m_normals.template middleCols<3>(3 * static_cast<Eigen::Index>(f)) * w;
     if (isOnRim(nearest)) {
-        const Vec<3> own = areaNormal(m_points, t).normalized();
+        const Vec3 own = areaNormal(m_points, t).normalized();
         x = p - own * own.dot(p - x);
     }
     Contact<Dim> contact;
@@ -190,30 +190,30 @@ Contact<Dim> GuideSurface<Dim>::onFace(const Vec<3>& p) const {
 
 /// Returns the nearest place on the lines. At an end the line continues along its tangent.
 template <int Dim>
-Contact<Dim> GuideSurface<Dim>::onLine(const Vec<3>& p) const {
+Contact<Dim> GuideSurface<Dim>::onLine(const Vec3& p) const {
     const auto [number, w] = m_lines.nearest(p);
     const Segment& s = m_segments[number];
     const auto first = 2 * static_cast<Eigen::Index>(number);
-    Vec<3> x = w[0] * m_points.col(s[0]) + (1 - w[0]) * m_points.col(s[1]);
+    Vec3 x = w[0] * m_points.col(s[0]) + (1 - w[0]) * m_points.col(s[1]);
     if ((w[0] == 1 && m_ends[s[0]]) || (w[0] == 0 && m_ends[s[1]])) {
-        const Vec<3> own = (m_points.col(s[1]) - m_points.col(s[0])).normalized();
+        const Vec3 own = (m_points.col(s[1]) - m_points.col(s[0])).normalized();
         x += own * own.dot(p - x);
     }
-    const Vec<3> t = (w[0] * m_tangents.col(first) + (1 - w[0]) * m_tangents.col(first + 1)).normalized();
+    const Vec3 t = (w[0] * m_tangents.col(first) + (1 - w[0]) * m_tangents.col(first + 1)).normalized();
     Contact<Dim> contact;
     contact.point = x.template head<Dim>();
     contact.count = Dim - 1;
     if constexpr (Dim == 2) {
-        contact.normals.col(0) = Vec<2>(-t.y(), t.x());
+        contact.normals.col(0) = Vec2(-t.y(), t.x());
     } else {
         contact.normals.col(0) = t.unitOrthogonal();
-        contact.normals.col(1) = t.cross(Vec<3>(contact.normals.col(0)));
+        contact.normals.col(1) = t.cross(Vec3(contact.normals.col(0)));
     }
     return contact;
 }
 
 template <int Dim>
-Contact<Dim> GuideSurface<Dim>::onCorner(const Vec<3>& p) const {
+Contact<Dim> GuideSurface<Dim>::onCorner(const Vec3& p) const {
     const int nearest =
         *std::ranges::min_element(m_corners, {}, [&](int v) { return (m_points.col(v) - p).squaredNorm(); });
     return {m_points.col(nearest).template head<Dim>(), Mat<Dim>::Identity(), Dim};
@@ -221,7 +221,7 @@ Contact<Dim> GuideSurface<Dim>::onCorner(const Vec<3>& p) const {
 
 template <int Dim>
 Contact<Dim> GuideSurface<Dim>::contact(Track track, const Vec<Dim>& p) const {
-    Vec<3> q = Vec<3>::Zero();
+    Vec3 q = Vec3::Zero();
     q.template head<Dim>() = p;
     return track == Track::Face ? onFace(q) : track == Track::Line ? onLine(q) : onCorner(q);
 }

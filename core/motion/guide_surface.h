@@ -38,16 +38,16 @@ class GuideSurface {
     void smoothNormals(const std::vector<std::array<int, 3>>& triangles);
     void smoothTangents();
     bool isOnRim(const TriangleTree::Nearest& nearest) const;
-    Contact<Dim> onFace(const Vec<3>& p) const;
-    Contact<Dim> onLine(const Vec<3>& p) const;
-    Contact<Dim> onCorner(const Vec<3>& p) const;
+    Contact<Dim> onFace(const Vec3& p) const;
+    Contact<Dim> onLine(const Vec3& p) const;
+    Contact<Dim> onCorner(const Vec3& p) const;
 
-    Points<3> m_points;  // z = 0 in the plane
+    Points3 m_points;  // z = 0 in the plane
     std::vector<std::array<int, 3>> m_triangles;
     std::vector<std::array<int, 2>> m_segments;  // given ones, and sharp edges
     TriangleTree m_faces, m_lines;               // a segment is a triangle of no area
-    Points<3> m_normals;                         // per triangle those of its three corners
-    Points<3> m_tangents;                        // per segment those of its two ends
+    Points3 m_normals;                           // per triangle those of its three corners
+    Points3 m_tangents;                          // per segment those of its two ends
     std::vector<int> m_corners;                  // vertices where lines meet or bend sharply
     std::vector<bool> m_rimEdges;                // per triangle those opposite its corners
     std::vector<bool> m_rimVertices, m_ends;     // per vertex: of such an edge, or of one segment only

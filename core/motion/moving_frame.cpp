@@ -12,26 +12,26 @@ using Shape = TangentPiece::Shape;
 /// Moves the normal r at v of a piece to w by two reflections: in the bisecting plane of the two points, then
 /// in that of the reflected and the new tangent (Wang, Jüttler, Zheng, Liu 2008, Table I). The error of one
 /// step is O((w − v)⁵).
-Vec<3> doubleReflection(const TangentPiece& piece, double v, double w, const Vec<3>& r) {
-    const Vec<3> chord = piece.chord(v, w), before = piece.tangent(v), after = piece.tangent(w);
+Vec3 doubleReflection(const TangentPiece& piece, double v, double w, const Vec3& r) {
+    const Vec3 chord = piece.chord(v, w), before = piece.tangent(v), after = piece.tangent(w);
     const double squared = chord.squaredNorm();
-    const Vec<3> rLeft = r - 2 / squared * chord.dot(r) * chord;
-    const Vec<3> tLeft = before - 2 / squared * chord.dot(before) * chord;
-    const Vec<3> second = after - tLeft;
+    const Vec3 rLeft = r - 2 / squared * chord.dot(r) * chord;
+    const Vec3 tLeft = before - 2 / squared * chord.dot(before) * chord;
+    const Vec3 second = after - tLeft;
     return rLeft - 2 / second.squaredNorm() * second.dot(rLeft) * second;
 }
 
-Mat<3> columns(const Vec<3>& tangent, const Vec<3>& normal) {
-    Mat<3> frame;
+Mat3 columns(const Vec3& tangent, const Vec3& normal) {
+    Mat3 frame;
     frame << tangent, normal, tangent.cross(normal);
     return frame;
 }
 
 /// The least rotation from one unit vector to another that is not its opposite.
-Eigen::AngleAxisd minimalRotation(const Vec<3>& from, const Vec<3>& to) {
-    const Vec<3> cross = from.cross(to);
+Eigen::AngleAxisd minimalRotation(const Vec3& from, const Vec3& to) {
+    const Vec3 cross = from.cross(to);
     const double sine = cross.norm();
-    if (sine == 0) return {0, Vec<3>::UnitZ()};
+    if (sine == 0) return {0, Vec3::UnitZ()};
     return {std::atan2(sine, from.dot(to)), cross / sine};
 }
 
@@ -62,8 +62,8 @@ void MovingFrame::makeTable(Piece& piece) const {
     double step = 1.0 / 64;
     while (node.v < 1) {
         const double middle = node.v + step / 2, end = node.v + step;
-        const Vec<3> half = doubleReflection(tangent, node.v, middle, node.normal);
-        const Vec<3> full = doubleReflection(tangent, middle, end, half);
+        const Vec3 half = doubleReflection(tangent, node.v, middle, node.normal);
+        const Vec3 full = doubleReflection(tangent, middle, end, half);
         const double error = (full - doubleReflection(tangent, node.v, end, node.normal)).norm();
         if (error > kTolerance && step > kMinimum) {
             step /= 2;
@@ -78,8 +78,8 @@ void MovingFrame::makeTable(Piece& piece) const {
 }
 
 /// The frame of the piece itself; only its change along the piece has a meaning.
-Mat<3> MovingFrame::localFrame(const Piece& piece, double v) const {
-    const Vec<3> tangent = piece.tangent.tangent(v);
+Mat3 MovingFrame::localFrame(const Piece& piece, double v) const {
+    const Vec3 tangent = piece.tangent.tangent(v);
     if (!usesTable(piece)) return columns(tangent, piece.tangent.binormal(v).cross(tangent));
     const auto after = std::upper_bound(piece.table.begin(), piece.table.end(), v,
                                         [](double value, const Node& node) { return value < node.v; });
@@ -88,17 +88,17 @@ Mat<3> MovingFrame::localFrame(const Piece& piece, double v) const {
                    v == node.v ? node.normal : doubleReflection(piece.tangent, node.v, v, node.normal));
 }
 
-Mat<3> MovingFrame::turnedWithin(const Piece& piece, double v) const {
+Mat3 MovingFrame::turnedWithin(const Piece& piece, double v) const {
     const Shape shape = piece.tangent.shape();
-    if (shape == Shape::Still || shape == Shape::Straight) return Mat<3>::Identity();
+    if (shape == Shape::Still || shape == Shape::Straight) return Mat3::Identity();
     return localFrame(piece, v) * localFrame(piece, 0).transpose();
 }
 
 /// Returns ω per unit of v.
-Vec<3> MovingFrame::localOmega(const Piece& piece, double v) const {
+Vec3 MovingFrame::localOmega(const Piece& piece, double v) const {
     const TangentPiece& tangent = piece.tangent;
-    if (tangent.shape() == Shape::Still || tangent.shape() == Shape::Straight) return Vec<3>::Zero();
-    Vec<3> omega = tangent.tangent(v).cross(tangent.tangentRate(v));
+    if (tangent.shape() == Shape::Still || tangent.shape() == Shape::Straight) return Vec3::Zero();
+    Vec3 omega = tangent.tangent(v).cross(tangent.tangentRate(v));
     if (m_kind == FrameKind::Frenet && tangent.shape() == Shape::Spatial) {
         omega += tangent.torsionRate(v) * tangent.tangent(v);
     }
@@ -108,7 +108,7 @@ Vec<3> MovingFrame::localOmega(const Piece& piece, double v) const {
 /// Carries the rotation from piece to piece, and joins consecutive pieces that move at their corner.
 void MovingFrame::joinPieces() {
     double sign = 1;  // of the direction of travel relative to the carried tangent
-    Vec<3> before = Vec<3>::Zero();
+    Vec3 before = Vec3::Zero();
     for (size_t i = 0; i < m_pieces.size(); ++i) {
         Piece& piece = m_pieces[i];
         if (i > 0) {
@@ -124,10 +124,10 @@ void MovingFrame::joinPieces() {
 }
 
 /// The corner at the start of a piece that is entered in direction `before`.
-void MovingFrame::joinAt(size_t index, const Vec<3>& before, double& sign) {
+void MovingFrame::joinAt(size_t index, const Vec3& before, double& sign) {
     Piece& piece = m_pieces[index];
     const Piece& last = m_pieces[index - 1];
-    const Vec<3> after = piece.tangent.tangent(0);
+    const Vec3 after = piece.tangent.tangent(0);
     if (before.dot(after) < -1 + 1e-9) {
         sign = -sign;
         return;
@@ -145,12 +145,12 @@ void MovingFrame::setStart() {
                                     [](const Piece& p) { return p.tangent.shape() != Shape::Still; });
     if (first == m_pieces.end()) return;
     const TangentPiece& tangent = first->tangent;
-    const Vec<3> t = tangent.tangent(0);
+    const Vec3 t = tangent.tangent(0);
     if (tangent.shape() != Shape::Straight) {
         m_start = columns(t, tangent.binormal(0).cross(t));
     } else {
         const bool flat = std::abs(t[2]) < 1e-12;
-        m_start = columns(t, flat ? Vec<3>(-t[1], t[0], 0).normalized() : t.unitOrthogonal());
+        m_start = columns(t, flat ? Vec3(-t[1], t[0], 0).normalized() : t.unitOrthogonal());
     }
 }
 
@@ -161,8 +161,8 @@ void MovingFrame::spreadCorners(Sample& sample, double u, size_t index) const {
     const auto turnBy = [&](const Piece& corner, double direction) {
         const double x = std::abs(u - corner.from) / corner.halfWidth;
         if (!(x < 1)) return;
-        const Mat<3> extra = Eigen::AngleAxisd(direction * corner.turn * (1 - x) * (1 - x) / 2, corner.axis)
-                                 .toRotationMatrix();
+        const Mat3 extra = Eigen::AngleAxisd(direction * corner.turn * (1 - x) * (1 - x) / 2, corner.axis)
+                               .toRotationMatrix();
         sample.rotation = extra * sample.rotation;
         sample.omega = extra * sample.omega + corner.turn * (1 - x) / corner.halfWidth * corner.axis;
     };

@@ -24,20 +24,20 @@ class MovingFrame {
 
     /// The rotation of the frame at a parameter, and its rate.
     struct Sample {
-        Mat<3> rotation = Mat<3>::Identity();  // Q(u)
-        Vec<3> omega = Vec<3>::Zero();         // per unit of u
+        Mat3 rotation = Mat3::Identity();  // Q(u)
+        Vec3 omega = Vec3::Zero();         // per unit of u
     };
     /// Returns the sample at u, which is in the given piece of the curve.
     Sample at(double u, int piece) const;
     /// Returns F(0): tangent, normal and binormal at the start; the normal is arbitrary if the curve starts
     /// straight (in the plane z = 0 it is in the plane). Identity for a curve that never moves.
-    const Mat<3>& start() const { return m_start; }
+    const Mat3& start() const { return m_start; }
 
   private:
     /// A node of a piece's table, which holds the normal at the local parameter v.
     struct Node {
         double v;
-        Vec<3> normal;
+        Vec3 normal;
     };
     /// A piece of the curve with the rotation at its start, and the corner there.
     struct Piece {
@@ -48,21 +48,21 @@ class MovingFrame {
         std::vector<Node> table = {};        // Minimal on a spatial piece
         // The corner at its start.
         double turn = 0, halfWidth = 0;
-        Vec<3> axis = Vec<3>::UnitZ();
+        Vec3 axis = Vec3::UnitZ();
     };
     void joinPieces();
-    void joinAt(size_t piece, const Vec<3>& before, double& sign);
+    void joinAt(size_t piece, const Vec3& before, double& sign);
     void setStart();
     void makeTable(Piece& piece) const;
     bool usesTable(const Piece& piece) const;
-    Mat<3> localFrame(const Piece& piece, double v) const;
-    Mat<3> turnedWithin(const Piece& piece, double v) const;
-    Vec<3> localOmega(const Piece& piece, double v) const;
+    Mat3 localFrame(const Piece& piece, double v) const;
+    Mat3 turnedWithin(const Piece& piece, double v) const;
+    Vec3 localOmega(const Piece& piece, double v) const;
     void spreadCorners(Sample& sample, double u, size_t piece) const;
 
     FrameKind m_kind;
     std::vector<Piece> m_pieces;
-    Mat<3> m_start = Mat<3>::Identity();
+    Mat3 m_start = Mat3::Identity();
 };
 
 }  // namespace wend

@@ -18,20 +18,20 @@ double sinc(double x) {
 }
 
 /// Returns ω × v.
-Vec<2> cross(const RotationVector<2>& w, const Vec<2>& v) {
-    return w[0] * Vec<2>(-v[1], v[0]);
+Vec2 cross(const RotationVector<2>& w, const Vec2& v) {
+    return w[0] * Vec2(-v[1], v[0]);
 }
-Vec<3> cross(const RotationVector<3>& w, const Vec<3>& v) {
+Vec3 cross(const RotationVector<3>& w, const Vec3& v) {
     return w.cross(v);
 }
 
 /// Returns the part of v along the axis ω; zero in the plane.
-Vec<2> along(const RotationVector<2>&, const Vec<2>&) {
-    return Vec<2>::Zero();
+Vec2 along(const RotationVector<2>&, const Vec2&) {
+    return Vec2::Zero();
 }
-Vec<3> along(const RotationVector<3>& w, const Vec<3>& v) {
+Vec3 along(const RotationVector<3>& w, const Vec3& v) {
     const double square = w.squaredNorm();
-    return square > 0 ? Vec<3>(w * (w.dot(v) / square)) : v;
+    return square > 0 ? Vec3(w * (w.dot(v) / square)) : v;
 }
 
 Eigen::Quaterniond quaternionOf(const RotationVector<3>& w) {
@@ -58,11 +58,11 @@ RotationVector<3> turnBetween(const RotationVector<3>& from, const RotationVecto
 }
 
 template <>
-Mat<2> rotationOf<2>(const RotationVector<2>& vector) {
+Mat2 rotationOf<2>(const RotationVector<2>& vector) {
     return Eigen::Rotation2Dd(vector[0]).toRotationMatrix();
 }
 template <>
-Mat<3> rotationOf<3>(const RotationVector<3>& vector) {
+Mat3 rotationOf<3>(const RotationVector<3>& vector) {
     return quaternionOf(vector).toRotationMatrix();
 }
 

@@ -21,30 +21,30 @@ class TangentPiece {
 
     Shape shape() const { return m_shape; }
     /// Returns the unit tangent at v, in the direction of travel at v = 0.
-    Vec<3> tangent(double v) const;
+    Vec3 tangent(double v) const;
     /// Returns ±1, the direction of travel at v = 1 relative to tangent(1).
     double endSign() const { return m_endSign; }
     /// Returns a unit normal of the piece's plane (Planar) or the binormal at v (Spatial).
-    Vec<3> binormal(double v) const;
+    Vec3 binormal(double v) const;
     /// Returns dT/dv.
-    Vec<3> tangentRate(double v) const;
+    Vec3 tangentRate(double v) const;
     /// Returns the torsion times dσ/dv (σ arc length): the rotation rate of Frenet's frame about the tangent.
     /// Spatial only.
     double torsionRate(double v) const;
     /// Returns (γ(w) − γ(v)) / (w − v), without cancellation.
-    Vec<3> chord(double v, double w) const;
+    Vec3 chord(double v, double w) const;
 
   private:
-    Vec<3> direction(double v) const { return m_g[0] + v * (m_g[1] + v * m_g[2]); }
-    Vec<3> directionRate(double v) const { return m_g[1] + 2 * v * m_g[2]; }
-    void makeStraight(const Vec<3>& line);
+    Vec3 direction(double v) const { return m_g[0] + v * (m_g[1] + v * m_g[2]); }
+    Vec3 directionRate(double v) const { return m_g[1] + 2 * v * m_g[2]; }
+    void makeStraight(const Vec3& line);
     void dividePlanarCusp();
 
     Shape m_shape = Shape::Still;
     double m_endSign = 1;
-    std::array<Vec<3>, 3> m_g;  // coefficients of the direction
-    std::array<Vec<3>, 3> m_c;  // of γ: first to third power
-    Vec<3> m_normal = Vec<3>::UnitZ();
+    std::array<Vec3, 3> m_g;  // coefficients of the direction
+    std::array<Vec3, 3> m_c;  // of γ: first to third power
+    Vec3 m_normal = Vec3::UnitZ();
 };
 
 }  // namespace wend

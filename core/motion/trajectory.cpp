@@ -107,8 +107,8 @@ Curve<Dim> curveOf(const Recorded<Dim>& motion) {
     return timedCurve(motion.times, motion.points);
 }
 
-Mat<3> crossMatrix(const Vec<3>& w) {
-    Mat<3> result;
+Mat3 crossMatrix(const Vec3& w) {
+    Mat3 result;
     result << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
     return result;
 }
@@ -126,7 +126,7 @@ Mat<Dim> rotationBy(double angle, const Vec<Dim>& axis) {
 template <int Dim>
 Mat<Dim> spin(const Vec<Dim>& axis) {
     if constexpr (Dim == 2) {
-        return (Mat<2>() << 0, -1, 1, 0).finished();
+        return (Mat2() << 0, -1, 1, 0).finished();
     } else {
         return crossMatrix(axis);
     }
@@ -291,7 +291,7 @@ MovingFrame::Sample Trajectory<Dim>::Path::Carried::turned(double u, int piece) 
     }
     MovingFrame::Sample sample = frame->at(u, piece);
     if (twist == 0) return sample;
-    const Vec<3> tangent = frame->start().col(0);
+    const Vec3 tangent = frame->start().col(0);
     sample.omega += twist * (sample.rotation * tangent);
     sample.rotation *= Eigen::AngleAxisd(twist * u, tangent).toRotationMatrix();
     return sample;
@@ -305,7 +305,7 @@ MovingMap<Dim> Trajectory<Dim>::Path::Carried::map(double u, int piece) const {
     const Vec<Dim> moved = p.value(p.local(u)) - first;
     if (!frame && scale == 1) return {{Mat<Dim>::Identity(), moved}, {Mat<Dim>::Zero(), rate}};
     const MovingFrame::Sample sample = turned(u, piece);
-    const Mat<3> turning = crossMatrix(sample.omega) * sample.rotation;
+    const Mat3 turning = crossMatrix(sample.omega) * sample.rotation;
     const Mat<Dim> Q = sample.rotation.template topLeftCorner<Dim, Dim>();
     const Mat<Dim> A = grown * Q,
                    rateA = (scale - 1) * Q + grown * turning.template topLeftCorner<Dim, Dim>();
@@ -373,8 +373,8 @@ Mat<Dim> Trajectory<Dim>::frame(double t) const {
     if (!carried) return at(t).position.A;
     if (!carried->frame) return Mat<Dim>::Identity();
     const double u = m_path->parameter(t);
-    const Mat<3> F = carried->turned(u, carried->pieceAt(u, m_path->stretchAt(t, Side::After))).rotation *
-                     carried->frame->start();
+    const Mat3 F = carried->turned(u, carried->pieceAt(u, m_path->stretchAt(t, Side::After))).rotation *
+                   carried->frame->start();
     return F.template topLeftCorner<Dim, Dim>();
 }
 

@@ -73,9 +73,9 @@ template <int Dim>
 Mat<Dim> VertexRotations<Dim>::rotation(int vertex) const {
     const double* const r = m_rotations.data() + static_cast<std::ptrdiff_t>(vertex) * kNumbers;
     if constexpr (Dim == 2)
-        return (Mat<2>() << r[0], -r[1], r[1], r[0]).finished();
+        return (Mat2() << r[0], -r[1], r[1], r[0]).finished();
     else
-        return Mat<3>(r);
+        return Mat3(r);
 }
 
 template <int Dim>

@@ -9,7 +9,7 @@ using namespace wend;
 
 namespace {
 
-using Field = Points<2>;
+using Field = Points2;
 constexpr double kStart = 0.3;
 
 /// ẋ = w(t) J x + ġ − w J g: a rotation of changing rate about a drifting centre, x = R(∫w) x₀ + g.
@@ -20,14 +20,14 @@ struct Known {
         const double c = std::cos(angle(t)), s = std::sin(angle(t));
         Field x(2, 2);
         x << c, 0.5 * c - 2 * s, s, 0.5 * s + 2 * c;
-        return x.colwise() + Vec<2>(std::sin(t), t * t);
+        return x.colwise() + Vec2(std::sin(t), t * t);
     }
     static bool f(double t, Side, StageVectors<2>& stages, Field& v) {
-        const Field z = stages.shape()->colwise() - Vec<2>(std::sin(t), t * t);
+        const Field z = stages.shape()->colwise() - Vec2(std::sin(t), t * t);
         v.resize(2, z.cols());
         v.row(0) = -rate(t) * z.row(1);
         v.row(1) = rate(t) * z.row(0);
-        v.colwise() += Vec<2>(std::cos(t), 2 * t);
+        v.colwise() += Vec2(std::cos(t), 2 * t);
         return true;
     }
 };

@@ -51,7 +51,7 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-Surface soup(const std::vector<std::array<Vec<3>, 3>>& triangles) {
+Surface soup(const std::vector<std::array<Vec3, 3>>& triangles) {
     Surface surface;
     surface.points.resize(3, static_cast<Eigen::Index>(3 * triangles.size()));
     for (const auto& triangle : triangles) {
@@ -65,17 +65,17 @@ Surface soup(const std::vector<std::array<Vec<3>, 3>>& triangles) {
 Surface noise(int count) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(0, 1);
-    std::vector<std::array<Vec<3>, 3>> triangles(count);
+    std::vector<std::array<Vec3, 3>> triangles(count);
     for (auto& triangle : triangles)
-        for (Vec<3>& p : triangle) p = {place(random), place(random), place(random)};
+        for (Vec3& p : triangle) p = {place(random), place(random), place(random)};
     return soup(triangles);
 }
 
 Surface looseParts() {
     Surface all = box({0, 0, 0}, {0.2, 0.2, 0.2});
     for (int i = 1; i < 122; ++i) {
-        const Vec<3> at(0.7 * (i % 5), 0.6 * (i / 5 % 5), 0.9 * (i / 25));
-        all = joined(all, box(at, at + Vec<3>(0.5, 0.1, 0.3)));
+        const Vec3 at(0.7 * (i % 5), 0.6 * (i / 5 % 5), 0.9 * (i / 25));
+        all = joined(all, box(at, at + Vec3(0.5, 0.1, 0.3)));
     }
     return all;
 }
@@ -95,12 +95,12 @@ const std::vector<std::pair<const char*, Surface>>& surfaces() {
         {"open box", openBox()},
         {"band", moebius(40)},
         {"122 parts", looseParts()},
-        {"sheet", soup({{Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(1, 1, 0)},
-                        {Vec<3>(0, 0, 0), Vec<3>(1, 1, 0), Vec<3>(0, 1, 0)}})},
-        {"triangle", soup({{Vec<3>(0, 0, 0), Vec<3>(3, 1, 0.5), Vec<3>(1, 1, 2)}})},
-        {"coincident triangles", soup({{Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 1, 0)},
-                                       {Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 1, 0)}})},
-        {"needle", soup({{Vec<3>(0, 0, 0), Vec<3>(1, 1, 1), Vec<3>(2, 2, 2)}})},
+        {"sheet", soup({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0)},
+                        {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}})},
+        {"triangle", soup({{Vec3(0, 0, 0), Vec3(3, 1, 0.5), Vec3(1, 1, 2)}})},
+        {"coincident triangles", soup({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                       {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}})},
+        {"needle", soup({{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)}})},
         {"noise", noise(3000)}};
     return all;
 }
@@ -122,10 +122,10 @@ std::vector<Triangle> boundary(const SimplicialMesh<3>& mesh) {
 }
 
 /// Of the boundary around a point, by solid angles.
-double winding(const Points<3>& points, const std::vector<Triangle>& boundary, const Vec<3>& p) {
+double winding(const Points3& points, const std::vector<Triangle>& boundary, const Vec3& p) {
     double sum = 0;
     for (const Triangle& t : boundary) {
-        const Vec<3> a = points.col(t[0]) - p, b = points.col(t[1]) - p, c = points.col(t[2]) - p;
+        const Vec3 a = points.col(t[0]) - p, b = points.col(t[1]) - p, c = points.col(t[2]) - p;
         const double la = a.norm(), lb = b.norm(), lc = c.norm();
         sum +=
             2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
@@ -172,10 +172,10 @@ void TestCage::holdsTheSurface() {
         std::uniform_int_distribution<int> which(0, surface.triangleCount() - 1);
         for (int sample = 0; sample < 150; ++sample) {
             const auto& t = surface.triangles[which(random)];
-            Vec<3> w(weight(random), weight(random), weight(random));
-            if (sample % 3 == 0) w = Vec<3>::Unit(sample / 3 % 3);  // the vertices themselves
+            Vec3 w(weight(random), weight(random), weight(random));
+            if (sample % 3 == 0) w = Vec3::Unit(sample / 3 % 3);  // the vertices themselves
             w /= w.sum();
-            const Vec<3> p = surface.points(Eigen::all, t) * w;
+            const Vec3 p = surface.points(Eigen::all, t) * w;
             const double around = winding(cage.mesh.points, faces, p);
             QVERIFY2(std::abs(around - 1) < 1e-6, qPrintable(QString::number(around)));
         }
@@ -235,7 +235,7 @@ void TestCage::keepsItsDistance() {
     for (int v = 0; v < surface.vertexCount(); ++v)
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-0.999, 0.999}) {
-                const Vec<3> p = surface.points.col(v) + side * offset * width * Vec<3>::Unit(axis);
+                const Vec3 p = surface.points.col(v) + side * offset * width * Vec3::Unit(axis);
                 const double around = winding(cage.mesh.points, faces, p);
                 QVERIFY2(std::abs(around - 1) < 1e-6, qPrintable(QString::number(around)));
             }
@@ -322,7 +322,7 @@ void TestCage::closedSlotsAreFound() {
 /// all axes: what is offered, cubes and a detail, is finer than what there is and opens the slot.
 void TestCage::obliqueSlotsAreOpened() {
     Surface surface = fork(0.15);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec<3>::UnitX(), Vec<3>(1, 1, 1));
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), Vec3(1, 1, 1));
     surface.points = (turn.toRotationMatrix() * surface.points).eval();
     int closed = 0;
     for (const int vertices : {500, 1000, 1500, 2000, 3000, 4000, 6000}) {
@@ -365,10 +365,10 @@ void TestCage::noGapIsSeen() {
 void TestCage::nothingHangsOnAPoint() {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> place(0, 1);
-    std::vector<std::array<Vec<3>, 3>> dust(300);
+    std::vector<std::array<Vec3, 3>> dust(300);
     for (auto& triangle : dust) {
-        const Vec<3> p(place(random), place(random), place(random));
-        triangle = {p, p + Vec<3>(0.01, 0, 0), p + Vec<3>(0, 0.01, 0)};
+        const Vec3 p(place(random), place(random), place(random));
+        triangle = {p, p + Vec3(0.01, 0, 0), p + Vec3(0, 0.01, 0)};
     }
     const Cage cage = cageOf(soup(dust), 5000);
     QVERIFY(cage.bodies > 1);

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-Points<3> cornerTetrahedron() {
-    Points<3> points(3, 4);
+Points3 cornerTetrahedron() {
+    Points3 points(3, 4);
     points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
     return points;
 }
 
-Points<3> regularTetrahedron() {
-    Points<3> points(3, 4);
+Points3 regularTetrahedron() {
+    Points3 points(3, 4);
     points << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
     points.col(2).swap(points.col(3));  // positive
     return points;
@@ -33,14 +33,14 @@ class TestCellShape : public QObject {
 
   private slots:
     void regularCells() {
-        Points<3> points = regularTetrahedron();
+        Points3 points = regularTetrahedron();
         CellShape shape = cellShape<3>(points, {0, 1, 2, 3});
         if (shape.scaledJacobian < 0) shape = cellShape<3>(points, {0, 1, 3, 2});
         QVERIFY(std::abs(shape.scaledJacobian - 1) < 1e-14);
         QVERIFY(std::abs(shape.aspectRatio - 1) < 1e-14);
         QVERIFY(std::abs(shape.minAngle - std::acos(1.0 / 3)) < 1e-14);
         QVERIFY(std::abs(shape.maxAngle - std::acos(1.0 / 3)) < 1e-14);
-        Points<2> flat(2, 3);
+        Points2 flat(2, 3);
         flat << 0, 2, 1, 0, 0, std::sqrt(3.0);
         const CellShape triangle = cellShape<2>(flat, {0, 1, 2});
         QVERIFY(std::abs(triangle.scaledJacobian - 1) < 1e-14);
@@ -58,14 +58,14 @@ class TestCellShape : public QObject {
         const double radius = 1 / (3 + std::sqrt(3.0));  // 3 V / A
         QVERIFY(std::abs(shape.aspectRatio - std::sqrt(2.0) / (2 * std::sqrt(6.0) * radius)) < 1e-14);
         QVERIFY(cellShape<3>(cornerTetrahedron(), {1, 0, 2, 3}).scaledJacobian < 0);
-        Points<3> flat = cornerTetrahedron();
+        Points3 flat = cornerTetrahedron();
         flat(2, 3) = 0;
         QCOMPARE(cellShape<3>(flat, {0, 1, 2, 3}).scaledJacobian, 0.0);
         QVERIFY(std::isinf(cellShape<3>(flat, {0, 1, 2, 3}).aspectRatio));
     }
 
     void rightTriangle() {
-        Points<2> points(2, 3);
+        Points2 points(2, 3);
         points << 0, 3, 0, 0, 0, 4;
         const CellShape shape = cellShape<2>(points, {0, 1, 2});
         QVERIFY(std::abs(shape.scaledJacobian - 2 / std::sqrt(3.0) * 12 / 20) < 1e-14);
@@ -77,9 +77,9 @@ class TestCellShape : public QObject {
     /// A linear map is the gradient of itself.
     void gradients() {
         SimplicialMesh<3> rest{cornerTetrahedron(), {{0, 1, 2, 3}}};
-        Mat<3> A;
+        Mat3 A;
         A << 1, 2, 0.5, -1, 3, 0.25, 0, 1, 2;
-        const Points<3> pose = (A * rest.points).colwise() + Vec<3>(5, 6, 7);
+        const Points3 pose = (A * rest.points).colwise() + Vec3(5, 6, 7);
         QVERIFY((deformationGradients<3>(rest, pose)[0] - A).norm() < 1e-13);
     }
 };

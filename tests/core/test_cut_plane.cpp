@@ -13,7 +13,7 @@ static SimplicialMesh<3> block(int n) {
     mesh.points.resize(3, (n + 1) * (n + 1) * (n + 1));
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
-            for (int k = 0; k <= n; ++k) mesh.points.col(id(i, j, k)) = Vec<3>(i, j, k) / n;
+            for (int k = 0; k <= n; ++k) mesh.points.col(id(i, j, k)) = Vec3(i, j, k) / n;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             for (int k = 0; k < n; ++k) {
@@ -38,10 +38,10 @@ static SimplicialMesh<3> block(int n) {
 
 /// Volume behind a closed surface and the area of its cut, by the divergence theorem: a surface that is not
 /// closed or has a triangle the wrong way round gives another number.
-static std::pair<double, double> volumeAndCutArea(const CutSurface& surface, const Points<3>& pose) {
+static std::pair<double, double> volumeAndCutArea(const CutSurface& surface, const Points3& pose) {
     double volume = 0, area = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        std::array<Vec<3>, 3> x;
+        std::array<Vec3, 3> x;
         for (int k = 0; k < 3; ++k) {
             const auto& c = surface.triangles[t][k];
             x[k] = (1 - c.weight) * pose.col(c.from) + c.weight * pose.col(c.to);
@@ -78,7 +78,7 @@ void TestCutPlane::exactCutOfABlock() {
     QFETCH(double, at);
     const auto mesh = block(4);
     const auto [volume, area] = volumeAndCutArea(
-        exactCut(mesh, facetsOf(mesh), mesh.points, {{at, 0, 0}, Vec<3>::UnitX()}), mesh.points);
+        exactCut(mesh, facetsOf(mesh), mesh.points, {{at, 0, 0}, Vec3::UnitX()}), mesh.points);
     QVERIFY(std::abs(volume - at) < 1e-12);
     QVERIFY(std::abs(area - 1) < 1e-12);
 }
@@ -86,17 +86,17 @@ void TestCutPlane::exactCutOfABlock() {
 void TestCutPlane::planeThroughVertices() {
     const auto mesh = block(4);
     const auto [volume, area] = volumeAndCutArea(
-        exactCut(mesh, facetsOf(mesh), mesh.points, {{0.5, 0, 0}, Vec<3>::UnitX()}), mesh.points);
+        exactCut(mesh, facetsOf(mesh), mesh.points, {{0.5, 0, 0}, Vec3::UnitX()}), mesh.points);
     QVERIFY(std::abs(volume - 0.5) < 1e-12);
     QVERIFY(std::abs(area - 1) < 1e-12);
 }
 
 void TestCutPlane::wholeCellsEncloseTheirVolume() {
     const auto mesh = block(4);
-    const CutPlane plane{{0.4, 0.3, 0.6}, Vec<3>(1, 2, -1).normalized()};
+    const CutPlane plane{{0.4, 0.3, 0.6}, Vec3(1, 2, -1).normalized()};
     double expected = 0;
     for (const auto& cell : mesh.cells) {
-        Vec<3> centroid = Vec<3>::Zero();
+        Vec3 centroid = Vec3::Zero();
         for (int v : cell) centroid += mesh.points.col(v) / 4;
         if (plane.height(centroid) <= 0) expected += cellMeasure<3>(mesh.points, cell);
     }

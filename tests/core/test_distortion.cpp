@@ -16,12 +16,12 @@ namespace {
 template <int Dim>
 Mat<Dim> rotation();
 template <>
-Mat<2> rotation<2>() {
+Mat2 rotation<2>() {
     return Eigen::Rotation2Dd(0.7).toRotationMatrix();
 }
 template <>
-Mat<3> rotation<3>() {
-    return Eigen::AngleAxisd(0.7, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
+Mat3 rotation<3>() {
+    return Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
 }
 
 template <int Dim>

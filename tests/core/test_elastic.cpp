@@ -269,17 +269,17 @@ void framesAreMinima() {
 void framesOfLongStepsAreMinima() {
     const Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
     const auto elastic = withMemory(*bend.material, kElastic);
-    const Vec<2> low = bend.mesh->points.rowwise().minCoeff(), high = bend.mesh->points.rowwise().maxCoeff();
+    const Vec2 low = bend.mesh->points.rowwise().minCoeff(), high = bend.mesh->points.rowwise().maxCoeff();
     std::vector<Handle<2>> handles;
     for (const double share : {0.05, 0.35, 0.65, 0.95}) {
-        const Vec<2> place(std::lerp(low.x(), high.x(), share), 0.5 * (low.y() + high.y()));
+        const Vec2 place(std::lerp(low.x(), high.x(), share), 0.5 * (low.y() + high.y()));
         Handle<2> handle;
-        handle.at = std::vector<Vec<2>>{place};
+        handle.at = std::vector<Vec2>{place};
         CurveMotion<2> wave;
         wave.points = {place};
         for (int k = 0; k < 4; ++k)
             for (const double y : {1.0, 1.0, 0.0})
-                wave.points.push_back(place + Vec<2>(0, (k % 2 ? -y : y) * (share - 0.5)));
+                wave.points.push_back(place + Vec2(0, (k % 2 ? -y : y) * (share - 0.5)));
         handle.motions = {{wave, 0, 1}};
         handles.push_back(handle);
     }
@@ -305,11 +305,11 @@ void velocityIsTheDerivative() {
     const auto elastic = withMemory(*bend.material, kElastic);
     const auto at = [&](double t) {
         Deformer<2> deformer(bend.mesh, elastic, bend.handles, {});
-        if (deformer.advance(t).outcome != Outcome::Done) return std::pair<Points<2>, Points<2>>();
-        return std::pair<Points<2>, Points<2>>(deformer.state().points, deformer.velocity());
+        if (deformer.advance(t).outcome != Outcome::Done) return std::pair<Points2, Points2>();
+        return std::pair<Points2, Points2>(deformer.state().points, deformer.velocity());
     };
     const double h = 1e-3;
-    const Points<2> slope = (at(0.5 + h).first - at(0.5 - h).first) / (2 * h), v = at(0.5).second;
+    const Points2 slope = (at(0.5 + h).first - at(0.5 - h).first) / (2 * h), v = at(0.5).second;
     QVERIFY(v.cols() > 0);
     QVERIFY((slope - v).norm() < 1e-4 * v.norm());
 }
@@ -320,7 +320,7 @@ void bucklesAndComesBack() {
     auto material = Material<2>::uniform(mesh->cellCount(), phi::kMetr);
     std::vector<Handle<2>> handles = {Bend<2>::at("left", -1, 0.01), Bend<2>::at("right", 3.99, 5)};
     for (int k : {0, 1}) {
-        Motion<2> motion{Translate<2>{Vec<2>(k == 0 ? -1.2 : 1.2, 0)}};
+        Motion<2> motion{Translate<2>{Vec2(k == 0 ? -1.2 : 1.2, 0)}};
         motion.start = k, motion.end = k + 1;
         handles[1].motions.push_back(motion);
     }
@@ -346,10 +346,10 @@ void snapsAreReported() {
     std::array<int, 2> snaps{};
     for (const int way : {0, 1}) {
         std::vector<Handle<2>> handles = {Bend<2>::at("left", -1, 0.01), Bend<2>::at("right", 3.99, 5)};
-        handles[1].motions = {{Translate<2>{Vec<2>(-0.6, 0)}}};
+        handles[1].motions = {{Translate<2>{Vec2(-0.6, 0)}}};
         for (const int end : {0, 1}) {
             Rotate<2> turn;
-            turn.centre = Vec<2>(end == 0 ? 0 : 3.4, 0.15);
+            turn.centre = Vec2(end == 0 ? 0 : 3.4, 0.15);
             turn.angle = (end == 0 ? -1 : 1) * (way == 0 ? 1 : -1) * 1.2;
             Motion<2> motion{turn};
             motion.start = 1, motion.end = 2;
@@ -378,8 +378,8 @@ void letsGo() {
     auto material = Material<2>::uniform(mesh->cellCount(), phi::kMetr);
     Handle<2> left = Bend<2>::at("left", -1, 0.01), pin;
     pin.name = "pin";
-    pin.at = std::vector<Vec<2>>{Vec<2>(3.9, 0.5)};
-    pin.motions = {{Translate<2>{Vec<2>(-0.5, 1)}}};
+    pin.at = std::vector<Vec2>{Vec2(3.9, 0.5)};
+    pin.motions = {{Translate<2>{Vec2(-0.5, 1)}}};
     pin.activeTo = 1.5;
     Deformer<2> deformer(mesh, withMemory(material, kElastic), {left, pin}, {});
     QCOMPARE(deformer.advance(1.5).outcome, Outcome::Done);
@@ -415,7 +415,7 @@ void strongMemoryIsNearlyElastic() {
 void bothMemoriesAgree() {
     Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
     const Material<2> material = *bend.material;
-    std::array<Points<2>, 2> shapes;
+    std::array<Points2, 2> shapes;
     for (const int implicit : {0, 1}) {
         bend.material = withMemory(material, implicit ? 40.01 : 39.99);
         IntegrationOptions options;

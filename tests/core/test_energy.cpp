@@ -77,7 +77,7 @@ void stressMatrixIsStress() {
 /// Unit directions and weights that integrate polynomials of degree ≤ 9 exactly: trapezoid on the circle,
 /// times 5 Gauss points in the height on the sphere.
 struct Direction {
-    Vec<3> r;
+    Vec3 r;
     double weight;
 };
 std::vector<Direction> directions(int dim) {
@@ -103,16 +103,16 @@ std::vector<Direction> directions(int dim) {
 struct Means {
     double length = 0, angle = 0;
 };
-Means means(const Mat<3>& S, int dim) {
+Means means(const Mat3& S, int dim) {
     Means result;
     for (const auto& [r, weight] : directions(dim)) {
         result.length += weight * std::pow(r.dot(S * r), 2);
-        const Vec<3> a = dim == 2 ? Vec<3>(-r[1], r[0], 0) : r.unitOrthogonal();
+        const Vec3 a = dim == 2 ? Vec3(-r[1], r[0], 0) : r.unitOrthogonal();
         if (dim == 2) {
             result.angle += weight * std::pow(r.dot(S * a), 2);
             continue;
         }
-        const Vec<3> b = r.cross(a);
+        const Vec3 b = r.cross(a);
         for (const auto& [t, turn] : directions(2))
             result.angle += weight * turn * std::pow(r.dot(S * (t[0] * a + t[1] * b)), 2);
     }
@@ -126,7 +126,7 @@ void closedFormsAreQuadratures() {
     std::mt19937 random(4);
     for (int i = 0; i < 10; ++i) {
         const Mat<Dim> J = randomMatrix<Dim, Dim>(random);
-        Mat<3> S = Mat<3>::Zero();
+        Mat3 S = Mat3::Zero();
         S.template topLeftCorner<Dim, Dim>() = J + Mat<Dim>(J.transpose());
         const auto mean = means(S, Dim);
         const Mat<Dim> I = Mat<Dim>::Identity();

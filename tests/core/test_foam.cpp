@@ -78,7 +78,7 @@ std::string labels(const std::vector<long>& list, const Encoding& how) {
     return text + ")\n";
 }
 
-std::string pointsText(const Points<3>& points, const Encoding& how) {
+std::string pointsText(const Points3& points, const Encoding& how) {
     std::string text =
         header("vectorField", "points", how) + std::to_string(points.cols()) + (how.binary ? "(" : "\n(\n");
     for (Eigen::Index v = 0; v < points.cols(); ++v)
@@ -122,8 +122,8 @@ struct Case {
     std::map<std::string, std::string> files;
 };
 
-Case caseOf(const Points<3>& points, const std::vector<std::vector<int>>& cells, const Encoding& how,
-            const std::function<std::string(const Vec<3>&)>& patchOf) {
+Case caseOf(const Points3& points, const std::vector<std::vector<int>>& cells, const Encoding& how,
+            const std::function<std::string(const Vec3&)>& patchOf) {
     std::map<std::vector<int>, std::pair<int, std::vector<int>>> open;  // sorted → owner, face
     std::map<std::array<int, 2>, std::vector<int>> inner;
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -146,7 +146,7 @@ Case caseOf(const Points<3>& points, const std::vector<std::vector<int>>& cells,
     }
     std::map<std::string, std::vector<std::pair<int, std::vector<int>>>> patches;
     for (const auto& [key, one] : open) {
-        Vec<3> middle = Vec<3>::Zero();
+        Vec3 middle = Vec3::Zero();
         for (const int v : one.second) middle += points.col(v) / static_cast<double>(one.second.size());
         patches[patchOf(middle)].push_back(one);
     }
@@ -188,8 +188,8 @@ Case caseOf(const Points<3>& points, const std::vector<std::vector<int>>& cells,
              {"boundary", boundary + ")\n"}}};
 }
 
-Points<3> gridPoints(int nx, int ny, int nz) {
-    Points<3> points(3, (nx + 1) * (ny + 1) * (nz + 1));
+Points3 gridPoints(int nx, int ny, int nz) {
+    Points3 points(3, (nx + 1) * (ny + 1) * (nz + 1));
     int v = 0;
     for (int k = 0; k <= nz; ++k)
         for (int j = 0; j <= ny; ++j)
@@ -209,13 +209,13 @@ std::vector<std::vector<int>> gridCells(int nx, int ny, int nz) {
     return cells;
 }
 
-std::string patchOfGrid(const Vec<3>& middle) {
+std::string patchOfGrid(const Vec3& middle) {
     return middle.x() == 0 ? "inlet" : std::abs(middle.x() - 1.5) < 1e-12 ? "outlet" : "walls";
 }
 
 double volumeOf(const MeshFile& file) {
     double sum = 0;
-    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points<3>(file.points), cell);
+    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points3(file.points), cell);
     return sum;
 }
 
@@ -249,7 +249,7 @@ void TestFoam::cellsAndPatches() {
     QFETCH(bool, compressed);
     QFETCH(int, labelBytes);
     how.binary = binary, how.compressed = compressed, how.labelBytes = labelBytes;
-    const Points<3> grid = gridPoints(3, 2, 2);
+    const Points3 grid = gridPoints(3, 2, 2);
     const auto cells = gridCells(3, 2, 2);
     std::filesystem::remove_all(folder());
     for (const auto& [name, text] : caseOf(grid, cells, how, patchOfGrid).files)
@@ -279,7 +279,7 @@ void TestFoam::cellsAndPatches() {
 
 /// A wedge on a hexahedron with a pyramid on top, and a tetrahedron at its side.
 void TestFoam::kindsOfCells() {
-    Points<3> p(3, 12);
+    Points3 p(3, 12);
     p << 0, 1, 1, 0, 0, 1, 1, 0, 0.5, 2, 2, 3,  //
         0, 0, 1, 1, 0, 0, 1, 1, 0.5, 0, 0, 0,   //
         0, 0, 0, 0, 1, 1, 1, 1, 2, 0.5, 0, 0;
@@ -293,8 +293,8 @@ void TestFoam::kindsOfCells() {
     for (const auto& cell : cells)  // by Gauss's theorem
         for (const auto& face : facesOf(cell))
             for (std::size_t k = 1; k + 1 < face.size(); ++k)
-                expected += p.col(face[0]).dot(Vec<3>(p.col(face[k])).cross(Vec<3>(p.col(face[k + 1])))) / 6;
-    for (const auto& [name, text] : caseOf(p, cells, {}, [](const Vec<3>&) { return "all"; }).files)
+                expected += p.col(face[0]).dot(Vec3(p.col(face[k])).cross(Vec3(p.col(face[k + 1])))) / 6;
+    for (const auto& [name, text] : caseOf(p, cells, {}, [](const Vec3&) { return "all"; }).files)
         put(name, text);
     const MeshFile file = readMeshFile(points());
     const CellKind kinds[] = {CellKind::Hexahedron, CellKind::Pyramid, CellKind::Wedge,
@@ -302,7 +302,7 @@ void TestFoam::kindsOfCells() {
     for (int c = 0; c < 4; ++c) QCOMPARE(file.cells.kinds[static_cast<std::size_t>(c)], kinds[c]);
     double sum = 0;
     for (const auto& cell : file.tetrahedra) {
-        const double volume = cellMeasure<3>(Points<3>(file.points), cell);
+        const double volume = cellMeasure<3>(Points3(file.points), cell);
         QVERIFY(volume > 0);
         sum += volume;
     }
@@ -312,7 +312,7 @@ void TestFoam::kindsOfCells() {
 /// Two hexagonal prisms, one on the other, on a third one of five corners: filled by tetrahedra around
 /// vertices within, which neighbours share; the case gets its own points back alone.
 void TestFoam::polyhedra() {
-    Points<3> p(3, 23);
+    Points3 p(3, 23);
     std::vector<std::vector<int>> cells{
         {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17}, {}};
     for (int v = 0; v < 18; ++v) {
@@ -324,19 +324,19 @@ void TestFoam::polyhedra() {
         p.col(18 + k) << 5 + std::cos(angle), std::sin(angle), 0;
         cells[2].push_back(18 + k);
     }
-    Points<3> all(3, 28);
+    Points3 all(3, 28);
     all << p, p.rightCols(5);
     all.row(2).tail(5).array() += 1;
     for (int k = 23; k < 28; ++k) cells[2].push_back(k);
     const double hexagon = 1.5 * std::sqrt(3.0), pentagon = 2.5 * std::sin(2 * std::numbers::pi / 5);
     std::filesystem::remove_all(folder());
-    for (const auto& [name, text] : caseOf(all, cells, {}, [](const Vec<3>&) { return "all"; }).files)
+    for (const auto& [name, text] : caseOf(all, cells, {}, [](const Vec3&) { return "all"; }).files)
         put(name, text);
     MeshFile file = readMeshFile(points());
     QCOMPARE(file.polyhedra, 3);
     QCOMPARE(file.points.cols(), Eigen::Index(28 + 3 + 5));  // the middles of cells, and of five faces
     double sum = 0;
-    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points<3>(file.points), cell);
+    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points3(file.points), cell);
     QVERIFY(std::abs(sum - 2 * hexagon - pentagon) < 1e-12);
     const auto mesh = meshFrom<3>(file);  // throws where facets do not meet
     std::size_t outer = 0;
@@ -368,7 +368,7 @@ void TestFoam::pointsAreReplaced() {
     QFETCH(bool, binary);
     QFETCH(int, scalarBytes);
     how.binary = binary, how.scalarBytes = scalarBytes;
-    Points<3> grid = gridPoints(2, 2, 1);
+    Points3 grid = gridPoints(2, 2, 1);
     std::filesystem::remove_all(folder());
     for (const auto& [name, text] : caseOf(grid, gridCells(2, 2, 1), how, patchOfGrid).files) put(name, text);
     MeshFile file = readMeshFile(points());
@@ -381,7 +381,7 @@ void TestFoam::pointsAreReplaced() {
         return read.readAll().toStdString();
     };
     if (scalarBytes == 8) QCOMPARE(written(), pointsText(grid, how));
-    file.points.col(3) += Vec<3>(0.125, -0.3, 1e-5);
+    file.points.col(3) += Vec3(0.125, -0.3, 1e-5);
     grid = file.points;
     QCOMPARE(written(), pointsText(grid, how));
 }

@@ -66,7 +66,7 @@ GltfScene bendingBox() {
     scene.points = box.points;
     scene.times = {0, 0.5, 1};
     for (double t : scene.times) {
-        Points<3> pose = box.points;
+        Points3 pose = box.points;
         pose.row(2).array() += t * pose.row(0).array().square();
         scene.poses.push_back(pose);
     }
@@ -133,7 +133,7 @@ void TestGltf::skinHasPartsNormalsAndPictures() {
     }
     skin.materials = {
         {"red", {1, 0, 0, 1}, {}}, {"unused", {}, {}}, {"tiled", {}, picture.fileName().toStdString()}};
-    const Points<3> bent = box.points * 1.5;
+    const Points3 bent = box.points * 1.5;
     const GltfScene scene = gltfScene(skin, {box.points, bent}, {0, 0.5});
     QVERIFY(scene.points.cols() > box.points.cols());
     const QString path = m_folder.filePath("skin.glb");
@@ -188,14 +188,14 @@ void TestGltf::embeddedPointsFollowAffineMaps() {
     mesh.points.resize(3, 4);
     mesh.points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
     mesh.cells = {{0, 1, 2, 3}};
-    Points<3> points(3, 3);
+    Points3 points(3, 3);
     points << 0.2, 1.5, -0.3, 0.1, 0.2, -0.4, 0.3, 0.1, 2.0;
-    Mat<3> A;
+    Mat3 A;
     A << 1, 0.3, 0.1, -0.2, 1.4, 0, 0.5, 0, 0.8;
-    const Points<3> pose = (A * mesh.points).colwise() + Vec<3>(1, 2, 3);
+    const Points3 pose = (A * mesh.points).colwise() + Vec3(1, 2, 3);
     const Embedding<3> embedding(mesh, points);
     QCOMPARE(embedding.outside(), 2);
-    QVERIFY((embedding.carry(mesh, pose) - ((A * points).colwise() + Vec<3>(1, 2, 3)).matrix())
+    QVERIFY((embedding.carry(mesh, pose) - ((A * points).colwise() + Vec3(1, 2, 3)).matrix())
                 .cwiseAbs()
                 .maxCoeff() < 1e-14);
 }
@@ -208,15 +208,15 @@ void TestGltf::neighboursOutsideStayNeighbours() {
     mesh.cells = {{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 5, 4, 3}};
     for (auto& cell : mesh.cells)
         if (cellMeasure<3>(mesh.points, cell) < 0) std::swap(cell[2], cell[3]);
-    Points<3> pose = mesh.points;
+    Points3 pose = mesh.points;
     pose.row(2) += 0.4 * mesh.points.row(0).array().square().matrix();
     pose.row(1) -= 0.3 * (mesh.points.row(0).array() * mesh.points.row(2).array()).matrix();
     constexpr int kCount = 2001;
-    Points<3> line(3, kCount);
+    Points3 line(3, kCount);
     for (int i = 0; i < kCount; ++i) line.col(i) << -1 + 4.0 * i / (kCount - 1), 0.7, 1.6;
     const Embedding<3> embedding(mesh, line);
     QCOMPARE(embedding.outside(), kCount);
-    const Points<3> carried = embedding.carry(mesh, pose);
+    const Points3 carried = embedding.carry(mesh, pose);
     double longest = 0;
     for (int i = 1; i < kCount; ++i)
         longest = std::max(longest, (carried.col(i) - carried.col(i - 1)).norm());

@@ -24,10 +24,10 @@ namespace {
 /// The unit cube, each face of two triangles with points of its own, as an STL file has them.
 GuideMesh<3> box() {
     GuideMesh<3> mesh;
-    std::vector<Vec<3>> points;
+    std::vector<Vec3> points;
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {0.0, 1.0}) {
-            std::array<Vec<3>, 4> corner;
+            std::array<Vec3, 4> corner;
             for (int k = 0; k < 4; ++k) {
                 corner[k][axis] = side;
                 corner[k][(axis + 1) % 3] = k & 1;
@@ -50,8 +50,7 @@ GuideMesh<3> cap(int n) {
     mesh.points.resize(3, (n + 1) * (n + 1));
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
-            mesh.points.col(j * (n + 1) + i) =
-                Vec<3>(double(i) / n - 0.5, double(j) / n - 0.5, 1).normalized();
+            mesh.points.col(j * (n + 1) + i) = Vec3(double(i) / n - 0.5, double(j) / n - 0.5, 1).normalized();
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             const int a = j * (n + 1) + i;
@@ -72,16 +71,16 @@ void TestGuideSurface::partsOfABox() {
     // The diagonals of the faces are no lines.
     QCOMPARE(guide.trackAt({0.5, 0.5, 0}, 1e-6), Track::Face);
     const Contact<3> face = guide.contact(Track::Face, {0.3, 0.4, 1.2});
-    QVERIFY((face.point - Vec<3>(0.3, 0.4, 1)).norm() < 1e-15);
+    QVERIFY((face.point - Vec3(0.3, 0.4, 1)).norm() < 1e-15);
     QCOMPARE(face.count, 1);
     QVERIFY(std::abs(std::abs(face.normals(2, 0)) - 1) < 1e-15);
     const Contact<3> line = guide.contact(Track::Line, {0.3, -0.2, -0.1});
-    QVERIFY((line.point - Vec<3>(0.3, 0, 0)).norm() < 1e-15);
+    QVERIFY((line.point - Vec3(0.3, 0, 0)).norm() < 1e-15);
     QCOMPARE(line.count, 2);
-    const Mat<3> across = line.normals.leftCols(2) * line.normals.leftCols(2).transpose();
-    QVERIFY((across - Mat<3>(Vec<3>(0, 1, 1).asDiagonal())).norm() < 1e-15);
+    const Mat3 across = line.normals.leftCols(2) * line.normals.leftCols(2).transpose();
+    QVERIFY((across - Mat3(Vec3(0, 1, 1).asDiagonal())).norm() < 1e-15);
     const Contact<3> corner = guide.contact(Track::Corner, {0.9, 0.9, 1.3});
-    QCOMPARE(corner.point, Vec<3>(1, 1, 1));
+    QCOMPARE(corner.point, Vec3(1, 1, 1));
     QCOMPARE(corner.count, 3);
 }
 
@@ -92,8 +91,8 @@ void TestGuideSurface::normalsConverge() {
         double angle = 0;
         for (double x = -0.2; x <= 0.2; x += 0.013)
             for (double y = -0.2; y <= 0.2; y += 0.017) {
-                const Vec<3> radial = Vec<3>(x, y, 1).normalized();
-                const Vec<3> normal = guide.contact(Track::Face, radial).normals.col(0);
+                const Vec3 radial = Vec3(x, y, 1).normalized();
+                const Vec3 normal = guide.contact(Track::Face, radial).normals.col(0);
                 angle = std::max(angle, radial.cross(normal).norm());
             }
         return angle;
@@ -105,10 +104,10 @@ void TestGuideSurface::normalsConverge() {
 
 void TestGuideSurface::normalsAreContinuous() {
     const GuideSurface<3> guide(cap(6));
-    Vec<3> before = guide.contact(Track::Face, Vec<3>(-0.3, 0.013, 1).normalized()).normals.col(0);
+    Vec3 before = guide.contact(Track::Face, Vec3(-0.3, 0.013, 1).normalized()).normals.col(0);
     for (int k = 1; k <= 6000; ++k) {
-        const Vec<3> p = Vec<3>(-0.3 + 1e-4 * k, 0.013 + 3e-5 * k, 1).normalized();
-        const Vec<3> normal = guide.contact(Track::Face, p).normals.col(0);
+        const Vec3 p = Vec3(-0.3 + 1e-4 * k, 0.013 + 3e-5 * k, 1).normalized();
+        const Vec3 normal = guide.contact(Track::Face, p).normals.col(0);
         QVERIFY((normal - before).norm() < 5e-4);
         before = normal;
     }
@@ -117,11 +116,11 @@ void TestGuideSurface::normalsAreContinuous() {
 /// A single triangle goes on as its plane on all sides.
 void TestGuideSurface::beyondTheRim() {
     GuideMesh<3> mesh;
-    mesh.points = Mat<3>::Identity();
+    mesh.points = Mat3::Identity();
     mesh.triangles = {{0, 1, 2}};
     const GuideSurface<3> guide(mesh);
-    const Vec<3> normal = Vec<3>::Ones().normalized();
-    for (const Vec<3>& p : {Vec<3>(3, 0, 0), Vec<3>(-1, -1, 4), Vec<3>(2, 2, 0), Vec<3>(0.2, 0.3, 0.1)}) {
+    const Vec3 normal = Vec3::Ones().normalized();
+    for (const Vec3& p : {Vec3(3, 0, 0), Vec3(-1, -1, 4), Vec3(2, 2, 0), Vec3(0.2, 0.3, 0.1)}) {
         const Contact<3> contact = guide.contact(Track::Face, p);
         QVERIFY((contact.point - (p - normal * (p.sum() - 1) / std::sqrt(3.0))).norm() < 1e-14);
         QVERIFY(std::abs(std::abs(contact.normals.col(0).dot(normal)) - 1) < 1e-15);
@@ -139,11 +138,10 @@ void TestGuideSurface::paths() {
     QCOMPARE(guide.trackAt({2, 0.5}, 1e-6), Track::Corner);
     const Contact<2> bend = guide.contact(Track::Line, {1, 0});
     const double angle = std::atan2(0.5, 1) / 2;
-    QVERIFY(std::abs(std::abs(bend.normals.col(0).dot(Vec<2>(-std::sin(angle), std::cos(angle)))) - 1) <
-            1e-14);
+    QVERIFY(std::abs(std::abs(bend.normals.col(0).dot(Vec2(-std::sin(angle), std::cos(angle)))) - 1) < 1e-14);
     // Beyond its ends it continues straight.
     const Contact<2> before = guide.contact(Track::Line, {-3, 0.25});
-    QVERIFY((before.point - Vec<2>(-3, 0)).norm() < 1e-15);
+    QVERIFY((before.point - Vec2(-3, 0)).norm() < 1e-15);
     QVERIFY_THROWS_EXCEPTION(std::exception, GuideSurface<2>(GuideMesh<2>()));
 }
 

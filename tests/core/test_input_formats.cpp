@@ -119,7 +119,7 @@ class TestInputFormats : public QObject {
 /// What is written comes back: seams of texture points are closed again, and each corner has its own.
 void TestInputFormats::glbOfOurOwn() {
     Skin skin;
-    skin.points = Points<3>(3, 4);
+    skin.points = Points3(3, 4);
     skin.points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
     skin.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     skin.uv = Eigen::Matrix2Xd(2, 4);
@@ -132,9 +132,9 @@ void TestInputFormats::glbOfOurOwn() {
     QCOMPARE(back.points.cols(), 4);
     for (std::size_t t = 0; t < 4; ++t)
         for (int k = 0; k < 3; ++k) {
-            QCOMPARE(Vec<3>(back.points.col(back.triangles[t][k])),
-                     Vec<3>(skin.points.col(skin.triangles[t][k])));
-            QCOMPARE(Vec<2>(back.uv.col(back.uvCorners[t][k])), Vec<2>(skin.uv.col(skin.uvCorners[t][k])));
+            QCOMPARE(Vec3(back.points.col(back.triangles[t][k])),
+                     Vec3(skin.points.col(skin.triangles[t][k])));
+            QCOMPARE(Vec2(back.uv.col(back.uvCorners[t][k])), Vec2(skin.uv.col(skin.uvCorners[t][k])));
         }
     QCOMPARE(back.materialOf, skin.materialOf);
     QCOMPARE(back.materials.at(1).colour, skin.materials[1].colour);
@@ -143,7 +143,7 @@ void TestInputFormats::glbOfOurOwn() {
 /// Single precision of a shape of size 1 at a distance of 1e6 would be off by 0.06.
 void TestInputFormats::glbFarFromTheOrigin() {
     Skin skin;
-    skin.points = Points<3>::Random(3, 30).colwise() + Vec<3>(1e6, -3e6, 2e5);
+    skin.points = Points3::Random(3, 30).colwise() + Vec3(1e6, -3e6, 2e5);
     for (int k = 0; k + 2 < 30; ++k) skin.triangles.push_back({k, k + 1, k + 2});
     writeGltf(file("far.glb"), gltfScene(skin, skin.points));
     const MeshFile back = readMeshFile(file("far.glb"));
@@ -163,8 +163,8 @@ void TestInputFormats::glbOfNodes() {
     QCOMPARE(mesh.points.cols(), 8);
     // The corner (1, 1, 0): of the first in glTF 2 Rx(90°) (11, 1, 0) = (22, 0, 2), which is (22, −2, 0)
     // where z is up.
-    QVERIFY((mesh.points.col(2) - Vec<3>(22, -2, 0)).norm() < 1e-12);
-    QVERIFY((mesh.points.col(6) - Vec<3>(2, -12, 0)).norm() < 1e-12);
+    QVERIFY((mesh.points.col(2) - Vec3(22, -2, 0)).norm() < 1e-12);
+    QVERIFY((mesh.points.col(6) - Vec3(2, -12, 0)).norm() < 1e-12);
     QCOMPARE(mesh.triangles.size(), std::size_t(4));
     QCOMPARE(mesh.groups.size(), std::size_t(2));
     QCOMPARE(mesh.groups[1].name, std::string("second"));
@@ -193,7 +193,7 @@ void TestInputFormats::glbOfKinds() {
     QCOMPARE(mesh.points.cols(), 4);
     QCOMPARE(mesh.triangles.size(), static_cast<std::size_t>(triangles));
     QCOMPARE(mesh.cells.size(), cells);
-    QCOMPARE(Vec<3>(mesh.points.col(2)), Vec<3>(1, 0, 1));
+    QCOMPARE(Vec3(mesh.points.col(2)), Vec3(1, 0, 1));
 }
 
 void TestInputFormats::badGlb_data() {
@@ -251,9 +251,9 @@ void TestInputFormats::threeMf() {
     const MeshFile mesh = readMeshFile(file("two.3mf"));
     QCOMPARE(mesh.points.cols(), 12);
     QCOMPARE(mesh.triangles.size(), std::size_t(12));
-    QCOMPARE(Vec<3>(mesh.points.col(1)), Vec<3>(1, 0, 0));
-    QCOMPARE(Vec<3>(mesh.points.col(5)), Vec<3>(0, 2, 9));     // (1, 0, 0) turned to (0, 1, 0)
-    QCOMPARE(Vec<3>(mesh.points.col(11)), Vec<3>(10, 0, 11));  // (0, 0, 1) moved to (5, 0, 1)
+    QCOMPARE(Vec3(mesh.points.col(1)), Vec3(1, 0, 0));
+    QCOMPARE(Vec3(mesh.points.col(5)), Vec3(0, 2, 9));     // (1, 0, 0) turned to (0, 1, 0)
+    QCOMPARE(Vec3(mesh.points.col(11)), Vec3(10, 0, 11));  // (0, 0, 1) moved to (5, 0, 1)
     QCOMPARE(mesh.groups.size(), std::size_t(2));
     QCOMPARE(mesh.groups[1].name, std::string("both"));
     QCOMPARE(mesh.groups[1].cells.size(), std::size_t(8));

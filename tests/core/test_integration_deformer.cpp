@@ -47,12 +47,12 @@ struct Drag {
 
     /// Second moments about p of the rest shape, its centroid and measure, raised to space.
     struct Moments {
-        Mat<3> S = Mat<3>::Zero();
-        Vec<3> r = Vec<3>::Zero();  // p − centroid
+        Mat3 S = Mat3::Zero();
+        Vec3 r = Vec3::Zero();  // p − centroid
         double measure = 0;
     };
-    static Vec<3> raised(const Vec<Dim>& v) {
-        Vec<3> result = Vec<3>::Zero();
+    static Vec3 raised(const Vec<Dim>& v) {
+        Vec3 result = Vec3::Zero();
         result.template head<Dim>() = v;
         return result;
     }
@@ -60,10 +60,10 @@ struct Drag {
         Moments m;
         for (const Cell<Dim>& cell : mesh->cells) {
             const double V = std::abs(cellMeasure<Dim>(mesh->points, cell));
-            Vec<3> sum = Vec<3>::Zero();
-            Mat<3> squares = Mat<3>::Zero();
+            Vec3 sum = Vec3::Zero();
+            Mat3 squares = Mat3::Zero();
             for (const int v : cell) {
-                const Vec<3> d = raised(mesh->points.col(v) - p);
+                const Vec3 d = raised(mesh->points.col(v) - p);
                 sum += d;
                 squares += d * d.transpose();
             }
@@ -78,21 +78,21 @@ struct Drag {
     /// by RK4.
     Points<Dim> trailed() const {
         const Moments m = moments();
-        const Vec<3> u = raised(by);
-        const auto rate = [&](const Mat<3>& R) -> Mat<3> {
-            const Mat<3> S = R * m.S * R.transpose();
-            const Mat<3> inertia = S.trace() * Mat<3>::Identity() - S;
-            const Vec<3> omega = inertia.ldlt().solve(m.measure * (R * m.r).cross(u));
-            Mat<3> result;
+        const Vec3 u = raised(by);
+        const auto rate = [&](const Mat3& R) -> Mat3 {
+            const Mat3 S = R * m.S * R.transpose();
+            const Mat3 inertia = S.trace() * Mat3::Identity() - S;
+            const Vec3 omega = inertia.ldlt().solve(m.measure * (R * m.r).cross(u));
+            Mat3 result;
             for (int c = 0; c < 3; ++c) result.col(c) = omega.cross(R.col(c));
             return result;
         };
-        Mat<3> R = Mat<3>::Identity();
+        Mat3 R = Mat3::Identity();
         const int n = 400;
         for (int i = 0; i < n; ++i) {
             const double h = 1.0 / n;
-            const Mat<3> k1 = rate(R), k2 = rate(R + h / 2 * k1), k3 = rate(R + h / 2 * k2),
-                         k4 = rate(R + h * k3);
+            const Mat3 k1 = rate(R), k2 = rate(R + h / 2 * k1), k3 = rate(R + h / 2 * k2),
+                       k4 = rate(R + h * k3);
             R += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
         Points<Dim> result = mesh->points;

@@ -178,7 +178,7 @@ void TestInterruption::solveStops() {
         if (bend.mesh->points(0, v) < 0.1 || bend.mesh->points(0, v) > 3.9) rows.push_back({{{v, 1.0}}});
     solver.setConstraints(rows);
     solver.setVelocityTolerance(1e-6);
-    Points<3> speeds = Points<3>::Zero(3, static_cast<Eigen::Index>(rows.size())), expected, v;
+    Points3 speeds = Points3::Zero(3, static_cast<Eigen::Index>(rows.size())), expected, v;
     for (Eigen::Index i = 0; i < speeds.cols(); ++i)
         if (bend.mesh->points(0, rows[static_cast<std::size_t>(i)].terms[0].first) > 3.9) speeds(1, i) = 1;
     QVERIFY(solver.solve(bend.mesh->points, speeds, expected).done());

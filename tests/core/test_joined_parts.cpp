@@ -122,7 +122,7 @@ class TestJoinedParts : public QObject {
         QCOMPARE(hangingParts<3>(touching<3>(2)).size(), std::size_t(1));  // along an edge
         QVERIFY(hangingParts<2>(samples::grid<2>(3)).empty());
         QVERIFY(hangingParts<3>(samples::grid<3>(2)).empty());
-        const auto apart = together<2>(samples::grid<2>(1), samples::grid<2>(1), Vec<2>(5, 5));
+        const auto apart = together<2>(samples::grid<2>(1), samples::grid<2>(1), Vec2(5, 5));
         QVERIFY(hangingParts<2>(apart).empty());
     }
 
@@ -142,7 +142,7 @@ class TestJoinedParts : public QObject {
         const Surface corner = test::joined(one, test::box({2, 2, 2}, {3, 3, 3}, 1));
         const auto found = hangingParts(corner.points, corner.triangles);
         QCOMPARE(found.size(), std::size_t(1));
-        QVERIFY(corner.points.col(found[0].joint.at(0)) == Vec<3>(2, 2, 2));
+        QVERIFY(corner.points.col(found[0].joint.at(0)) == Vec3(2, 2, 2));
         QCOMPARE(found[0].joint.size(), std::size_t(1));
         const Surface edge =
             test::joined(test::box({0, 0, 0}, {1, 1, 1}, 1), test::box({1, 1, 0}, {2, 2, 1}, 1));

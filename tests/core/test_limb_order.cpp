@@ -29,7 +29,7 @@ SimplicialMesh<2> drawn(const QStringList& rows, QString& marks) {
     const int width = static_cast<int>(rows[0].size()) + 1;
     SimplicialMesh<2> mesh;
     mesh.points.resize(2, width * (rows.size() + 1));
-    for (int v = 0; v < mesh.points.cols(); ++v) mesh.points.col(v) = Vec<2>(v % width, -(v / width));
+    for (int v = 0; v < mesh.points.cols(); ++v) mesh.points.col(v) = Vec2(v % width, -(v / width));
     for (int y = 0; y < rows.size(); ++y)
         for (int x = 0; x < rows[y].size(); ++x) {
             if (rows[y][x] == ' ') continue;
@@ -62,16 +62,16 @@ struct Figure {
 
     Outline outline() const {
         const double t = trunkWidth, a = armWidth, y = shoulder(), foot = trunkLength + legLength;
-        std::vector<Vec<2>> half{{12, 0},
-                                 {t, y - a},
-                                 {t + armLength, y - 0.8 * a},
-                                 {t + armLength + 8, y},
-                                 {t + armLength, y + 0.8 * a},
-                                 {t, y + a},
-                                 {t, trunkLength},
-                                 {t + 6, foot},
-                                 {t + 6 - 2 * legWidth, foot}};
-        std::vector<Vec<2>> loop = half;
+        std::vector<Vec2> half{{12, 0},
+                               {t, y - a},
+                               {t + armLength, y - 0.8 * a},
+                               {t + armLength + 8, y},
+                               {t + armLength, y + 0.8 * a},
+                               {t, y + a},
+                               {t, trunkLength},
+                               {t + 6, foot},
+                               {t + 6 - 2 * legWidth, foot}};
+        std::vector<Vec2> loop = half;
         loop.push_back({0, trunkLength});
         for (auto it = half.rbegin(); it != half.rend(); ++it) loop.push_back({-it->x(), it->y()});
         const double neck = std::asin(12 / head);
@@ -83,7 +83,7 @@ struct Figure {
     }
     /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints and at the shoulders,
     /// which may belong to the trunk or to an arm.
-    QChar part(const Vec<2>& p) const {
+    QChar part(const Vec2& p) const {
         const double slack = std::max(0.9 * armWidth, 0.45 * trunkWidth), x = std::abs(p.x());
         if (p.y() < -8) return 'h';
         if (x > trunkWidth + slack && p.y() < shoulder() + 2 * armWidth) return p.x() < 0 ? 'l' : 'r';

@@ -166,7 +166,7 @@ void TestLooksOfFiles::normalsOfObj() {
     writeMeshFile(folder.path("b.ply"), file);
     QVERIFY(bytesOf(folder.path("b.ply")).contains("property double nx\n"));
     const Skin skin = readSkin(path);
-    Points<3> turned(3, 4);
+    Points3 turned(3, 4);
     turned.row(0) = skin.points.row(0);
     turned.row(1) = -skin.points.row(2);
     turned.row(2) = skin.points.row(1);
@@ -192,7 +192,7 @@ void TestLooksOfFiles::normalsOfCornersAreTold() {
     const Skin skin = readSkin(folder.path("a.obj"));
     writeSkin(folder.path("b.obj"), skin, skin.points);
     QCOMPARE(bytesOf(folder.path("b.obj")).toStdString(), text);
-    Points<3> turned = skin.points;
+    Points3 turned = skin.points;
     turned.row(1).swap(turned.row(2));
     turned.row(1) *= -1;
     writeSkin(folder.path("c.obj"), skin, turned);

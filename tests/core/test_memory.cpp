@@ -247,7 +247,7 @@ void restStaysAtRest() {
     other.motions = {{rotate}};
     Deformer<2> deformer(bend.mesh, bend.material, {other, hand}, settling(1, 2, 1e-8));
     QCOMPARE(deformer.advance(1).outcome, Outcome::Done);
-    const Points<2> moved = deformer.state().points;
+    const Points2 moved = deformer.state().points;
     QCOMPARE(deformer.advance(2).outcome, Outcome::Done);
     QVERIFY(distance(deformer.state().points, moved) < 1e-6);
 
@@ -325,10 +325,10 @@ Residue residueOf(double memory, double time = 1) {
     const double size = shapeSize<2>(mesh->points, mesh->cells).size;
     Handle<2> pin;
     pin.name = "pin";
-    const Vec<2> at(4, 0.5);
-    pin.at = std::vector<Vec<2>>{at};
+    const Vec2 at(4, 0.5);
+    pin.at = std::vector<Vec2>{at};
     Rotate<2> turn;
-    turn.centre = at + Vec<2>(0, 0.1 * size);
+    turn.centre = at + Vec2(0, 0.1 * size);
     turn.angle = 2 * kPi;
     pin.motions = {{turn}};
     pin.motions[0].start = 0, pin.motions[0].end = time;

@@ -139,7 +139,7 @@ class TestMeshBoundary : public QObject {
         const MeshFile plain = solidFile();
         MeshFile file = plain;
         file.points.resize(3, plain.points.cols() + 2);
-        file.points << plain.points.col(4), plain.points, Vec<3>::Constant(50);
+        file.points << plain.points.col(4), plain.points, Vec3::Constant(50);
         for (auto& cell : file.tetrahedra)
             for (int& v : cell) ++v;
         for (auto& cell : file.triangles)

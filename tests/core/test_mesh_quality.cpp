@@ -21,8 +21,8 @@ CellQuality qualityOfCell(const Points<Dim>& points) {
     return cellQuality<Dim>(points, cell);
 }
 
-Points<2> triangle(double x0, double y0, double x1, double y1, double x2, double y2) {
-    Points<2> points(2, 3);
+Points2 triangle(double x0, double y0, double x1, double y1, double x2, double y2) {
+    Points2 points(2, 3);
     points << x0, x1, x2, y0, y1, y2;
     return points;
 }
@@ -69,7 +69,7 @@ class TestMeshQuality : public QObject {
     }
 
     void regularTetrahedron() {
-        Points<3> points(3, 4);
+        Points3 points(3, 4);
         points << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
         const auto quality = qualityOfCell<3>(points);
         QVERIFY(close(std::abs(quality.measure), 8.0 / 3));
@@ -77,7 +77,7 @@ class TestMeshQuality : public QObject {
         QVERIFY(close(quality.radiusEdgeRatio, std::sqrt(3.0 / 8)));
     }
     void cornerOfACube() {
-        Points<3> points(3, 4);
+        Points3 points(3, 4);
         points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
         const auto quality = qualityOfCell<3>(points);
         QVERIFY(close(quality.measure, 1.0 / 6));
@@ -87,7 +87,7 @@ class TestMeshQuality : public QObject {
     /// Four points of a circle, two of them lifted: good edges, but an angle near 0 (a sliver).
     void sliver() {
         const double lift = 1e-3;
-        Points<3> points(3, 4);
+        Points3 points(3, 4);
         points << 1, 0, -1, 0, 0, 1, 0, -1, lift, -lift, lift, -lift;
         const auto quality = qualityOfCell<3>(points);
         // neighbouring faces have the normals (0, 2h, 1) and (−2h, 0, 1); the circumcentre is the origin
@@ -100,7 +100,7 @@ class TestMeshQuality : public QObject {
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
         for (int i = 0; i < 50; ++i) {
-            Points<3> points(3, 4);
+            Points3 points(3, 4);
             for (int k = 0; k < 4; ++k) points.col(k) = random.point<3>();
             const auto a = qualityOfCell<3>(points);
             const auto b =

@@ -257,18 +257,18 @@ class TestMeshValidity : public QObject {
         QCOMPARE(cellMeasure<2>(samples::grid<2>(1).points, {0, 1, 2}), 0.5);
         QCOMPARE(cellMeasure<3>(samples::grid<3>(1).points, {0, 1, 2, 4}), 1.0 / 6);
         QCOMPARE(boundingBoxDiagonal<3>(samples::grid<3>(2).points), std::sqrt(3.0));
-        QCOMPARE(boundingBoxDiagonal<2>(Points<2>(2, 0)), 0.0);
+        QCOMPARE(boundingBoxDiagonal<2>(Points2(2, 0)), 0.0);
     }
     void size2D() { sizeIsOfTheShape<2>(); }
     void size3D() { sizeIsOfTheShape<3>(); }
     /// Of a regular polygon with n corners the moments are known.
     void sizeOfPolygon() {
         constexpr int kCorners = 12;
-        Points<2> points = Points<2>::Zero(2, kCorners + 1);
+        Points2 points = Points2::Zero(2, kCorners + 1);
         std::vector<Cell<2>> cells;
         for (int i = 0; i < kCorners; ++i) {
             const double angle = 2 * std::numbers::pi * i / kCorners;
-            points.col(i + 1) = 3 * Vec<2>(std::cos(angle), std::sin(angle));
+            points.col(i + 1) = 3 * Vec2(std::cos(angle), std::sin(angle));
             cells.push_back({0, i + 1, 1 + (i + 1) % kCorners});
         }
         const double c = std::cos(2 * std::numbers::pi / kCorners);

@@ -83,8 +83,8 @@ std::vector<Vec<Dim>> sCurve() {
 }
 
 /// An arc of a helix as a spline through n points; radius 1, rise c per radian.
-std::vector<Vec<3>> helix(int n, double turns, double rise) {
-    std::vector<Vec<3>> points;
+std::vector<Vec3> helix(int n, double turns, double rise) {
+    std::vector<Vec3> points;
     for (int i = 0; i < n; ++i) {
         const double a = 2 * kPi * turns * i / (n - 1);
         points.push_back({std::cos(a), std::sin(a), rise * a});
@@ -105,9 +105,9 @@ bool throwsNaming(const Motion<Dim>& motion, const char* key) {
 /// The angle about the tangent between the frames of two trajectories on the same curve, less that at the
 /// start.
 double spinBetween(const Trajectory<3>& a, const Trajectory<3>& b, double t) {
-    const Mat<3> relative = b.at(t).position.A.transpose() * a.at(t).position.A;
+    const Mat3 relative = b.at(t).position.A.transpose() * a.at(t).position.A;
     const Eigen::AngleAxisd turn(relative);
-    const Vec<3> tangent = a.frame(0).col(0);
+    const Vec3 tangent = a.frame(0).col(0);
     return turn.angle() * turn.axis().dot(tangent);
 }
 
@@ -237,9 +237,9 @@ class TestMotion : public QObject {
 
     void rotationSense() {
         const Trajectory<2> plane({Rotate<2>{{1, 1}, {0, 0}, kPi / 2}});
-        QVERIFY((plane.at(1).position({2, 1}) - Vec<2>(1, 2)).norm() < 1e-15);  // x towards y
+        QVERIFY((plane.at(1).position({2, 1}) - Vec2(1, 2)).norm() < 1e-15);  // x towards y
         const Trajectory<3> space({Rotate<3>{{1, 1, 0}, {0, 0, 7}, kPi / 2}});
-        QVERIFY((space.at(1).position({2, 1, 5}) - Vec<3>(1, 2, 5)).norm() < 1e-14);
+        QVERIFY((space.at(1).position({2, 1, 5}) - Vec3(1, 2, 5)).norm() < 1e-14);
     }
 
     void evenSpeedOnPolylines() {
@@ -265,7 +265,7 @@ class TestMotion : public QObject {
                 motion.ease = easing;
                 motion.start = 2, motion.end = 4;
                 const AffineMap<2> place = Trajectory<2>(motion).at(2 + 2 * t).position;
-                QVERIFY((place.b - way * Vec<2>(10, -4)).norm() < 1e-14);
+                QVERIFY((place.b - way * Vec2(10, -4)).norm() < 1e-14);
             }
         }
     }
@@ -285,8 +285,8 @@ class TestMotion : public QObject {
         QCOMPARE(trajectory.breakTimes().size(), size_t(3));
         for (const double t : trajectory.breakTimes()) {
             const double h = 1e-7;
-            const Vec<2> before = trajectory.at(t, Side::Before).velocity.b,
-                         after = trajectory.at(t, Side::After).velocity.b;
+            const Vec2 before = trajectory.at(t, Side::Before).velocity.b,
+                       after = trajectory.at(t, Side::After).velocity.b;
             QVERIFY((before.normalized() - trajectory.at(t - h).velocity.b.normalized()).norm() < 1e-9);
             QVERIFY((after.normalized() - trajectory.at(t + h).velocity.b.normalized()).norm() < 1e-9);
             QVERIFY((before - after).norm() > 1);
@@ -294,13 +294,13 @@ class TestMotion : public QObject {
     }
 
     void breaksOfBeziers() {
-        const auto breaks = [](std::vector<Vec<2>> points) {
+        const auto breaks = [](std::vector<Vec2> points) {
             return Trajectory<2>({curve<2>(Interpolation::Bezier, FrameKind::None, std::move(points))})
                 .breakTimes();
         };
         QVERIFY(breaks(windingBezier<2>()).size() == 0);
         auto loose = windingBezier<2>();
-        loose[4] += Vec<2>(0.1, 0);
+        loose[4] += Vec2(0.1, 0);
         QCOMPARE(breaks(loose), std::vector<double>{0.5});
     }
 
@@ -309,8 +309,8 @@ class TestMotion : public QObject {
         motion.start = 10, motion.end = 14;
         const Trajectory<2> trajectory(motion);
         QCOMPARE(trajectory.breakTimes(), std::vector<double>{11});
-        QVERIFY((trajectory.at(10.5).position({0, 0}) - Vec<2>(0.5, 0)).norm() < 1e-14);
-        QVERIFY((trajectory.at(12.5).position({0, 0}) - Vec<2>(1, 1.5)).norm() < 1e-14);
+        QVERIFY((trajectory.at(10.5).position({0, 0}) - Vec2(0.5, 0)).norm() < 1e-14);
+        QVERIFY((trajectory.at(12.5).position({0, 0}) - Vec2(1, 1.5)).norm() < 1e-14);
     }
 
     /// Both frames of a planar curve turn with the tangent, past the inflection too.
@@ -320,13 +320,13 @@ class TestMotion : public QObject {
             const Trajectory<3> space({curve<3>(Interpolation::Bezier, kind, sCurve<3>())});
             for (int i = 0; i <= 100; ++i) {
                 const double t = i / 100.0, angle = std::atan2(plane.frame(t)(1, 0), plane.frame(t)(0, 0));
-                const Mat<2> expected = Eigen::Rotation2Dd(angle).toRotationMatrix();
+                const Mat2 expected = Eigen::Rotation2Dd(angle).toRotationMatrix();
                 QVERIFY(maxNorm(plane.at(t).position.A - expected) < 1e-14);
-                Mat<3> raised = Mat<3>::Identity();
+                Mat3 raised = Mat3::Identity();
                 raised.topLeftCorner<2, 2>() = expected;
                 QVERIFY(maxNorm(space.at(t).position.A - raised) < 1e-13);
             }
-            QVERIFY(maxNorm(plane.at(1).position.A - Mat<2>::Identity()) < 1e-14);  // the S ends as it began
+            QVERIFY(maxNorm(plane.at(1).position.A - Mat2::Identity()) < 1e-14);  // the S ends as it began
         }
     }
 
@@ -345,8 +345,8 @@ class TestMotion : public QObject {
             QVERIFY2(std::abs(std::remainder(spin - expected, 2 * kPi)) < 1e-3,
                      qPrintable(QString::number(spin - expected)));
         }
-        const Mat<3> Q = frenet.at(0.7).position.A * frenet.at(0.2).position.A.transpose();
-        const Mat<3> expected = Eigen::AngleAxisd(2 * kPi * turns * 0.5, Vec<3>::UnitZ()).toRotationMatrix();
+        const Mat3 Q = frenet.at(0.7).position.A * frenet.at(0.2).position.A.transpose();
+        const Mat3 expected = Eigen::AngleAxisd(2 * kPi * turns * 0.5, Vec3::UnitZ()).toRotationMatrix();
         QVERIFY(maxNorm(Q - expected) < 1e-3);  // the Frenet frame of a helix turns about its axis
     }
 
@@ -356,27 +356,27 @@ class TestMotion : public QObject {
             {curve<3>(Interpolation::Bezier, FrameKind::Minimal, windingBezier<3>())});
         const auto omega = [&](double t) {
             const double h = 1e-4;  // T × T′ from the curve alone
-            const Vec<3> anchor = windingBezier<3>().front();
-            const auto tangent = [&](double s) -> Vec<3> {
+            const Vec3 anchor = windingBezier<3>().front();
+            const auto tangent = [&](double s) -> Vec3 {
                 return trajectory.at(s).velocity(anchor).normalized();
             };
-            return Vec<3>(tangent(t).cross(
+            return Vec3(tangent(t).cross(
                 (8 * (tangent(t + h) - tangent(t - h)) - (tangent(t + 2 * h) - tangent(t - 2 * h))) /
                 (12 * h)));
         };
         const int n = 400;
         const double from = 0.01, to = 0.49, h = (to - from) / n;
-        Mat<3> Q = trajectory.at(from).position.A;
-        const auto rate = [&](double t, const Mat<3>& q) -> Mat<3> {
-            const Vec<3> w = omega(t);
-            Mat<3> result;
+        Mat3 Q = trajectory.at(from).position.A;
+        const auto rate = [&](double t, const Mat3& q) -> Mat3 {
+            const Vec3 w = omega(t);
+            Mat3 result;
             for (int c = 0; c < 3; ++c) result.col(c) = w.cross(q.col(c));
             return result;
         };
         for (int i = 0; i < n; ++i) {
             const double t = from + i * h;
-            const Mat<3> k1 = rate(t, Q), k2 = rate(t + h / 2, Q + h / 2 * k1),
-                         k3 = rate(t + h / 2, Q + h / 2 * k2), k4 = rate(t + h, Q + h * k3);
+            const Mat3 k1 = rate(t, Q), k2 = rate(t + h / 2, Q + h / 2 * k1),
+                       k3 = rate(t + h / 2, Q + h / 2 * k2), k4 = rate(t + h, Q + h * k3);
             Q += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
         const double error = maxNorm(Q - trajectory.at(to).position.A);
@@ -386,27 +386,27 @@ class TestMotion : public QObject {
     /// The same where the curve nearly has a cusp and no step of the table is short enough for a rule of
     /// lower order, against RK4 on the tangent's own formula.
     void minimalFrameOfSharpBends() {
-        const std::vector<Vec<3>> points = {{0, 0, 0}, {1, 1, 0.1}, {0.02, 1, -0.1}, {1, 0.02, 0.15}};
+        const std::vector<Vec3> points = {{0, 0, 0}, {1, 1, 0.1}, {0.02, 1, -0.1}, {1, 0.02, 0.15}};
         const Trajectory<3> trajectory({curve<3>(Interpolation::Bezier, FrameKind::Minimal, points)});
-        const auto omega = [&](double v) -> Vec<3> {
+        const auto omega = [&](double v) -> Vec3 {
             const double w = 1 - v;
-            const Vec<3> a = points[1] - points[0], b = points[2] - points[1], c = points[3] - points[2];
-            const Vec<3> first = w * w * a + 2 * w * v * b + v * v * c,
-                         second = 2 * (w * (b - a) + v * (c - b));
+            const Vec3 a = points[1] - points[0], b = points[2] - points[1], c = points[3] - points[2];
+            const Vec3 first = w * w * a + 2 * w * v * b + v * v * c,
+                       second = 2 * (w * (b - a) + v * (c - b));
             return first.cross(second) / first.squaredNorm();
         };
         const int n = 20000;
-        Mat<3> Q = Mat<3>::Identity();
-        const auto rate = [&](double v, const Mat<3>& q) -> Mat<3> {
-            const Vec<3> w = omega(v);
-            Mat<3> result;
+        Mat3 Q = Mat3::Identity();
+        const auto rate = [&](double v, const Mat3& q) -> Mat3 {
+            const Vec3 w = omega(v);
+            Mat3 result;
             for (int k = 0; k < 3; ++k) result.col(k) = w.cross(q.col(k));
             return result;
         };
         for (int i = 0; i < n; ++i) {
             const double v = double(i) / n, h = 1.0 / n;
-            const Mat<3> k1 = rate(v, Q), k2 = rate(v + h / 2, Q + h / 2 * k1),
-                         k3 = rate(v + h / 2, Q + h / 2 * k2), k4 = rate(v + h, Q + h * k3);
+            const Mat3 k1 = rate(v, Q), k2 = rate(v + h / 2, Q + h / 2 * k1),
+                       k3 = rate(v + h / 2, Q + h / 2 * k2), k4 = rate(v + h, Q + h * k3);
             Q += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
         const double error = maxNorm(Q - trajectory.at(1).position.A);
@@ -443,7 +443,7 @@ class TestMotion : public QObject {
             double worst = 0;
             for (int i = 1; i < 4000; ++i) {
                 const double t = i / 4000.0, h = 1e-6;
-                const Mat<3> jump = trajectory.at(t + h).position.A - trajectory.at(t - h).position.A;
+                const Mat3 jump = trajectory.at(t + h).position.A - trajectory.at(t - h).position.A;
                 worst = std::max(worst, maxNorm(jump - 2 * h * trajectory.at(t).velocity.A));
             }
             QVERIFY2(worst < 1e-9, qPrintable(QString::number(worst)));
@@ -452,16 +452,16 @@ class TestMotion : public QObject {
 
     /// A bend in one plane, a straight piece, a bend in another plane: no spin on the way, no jump.
     void frenetAcrossStraightPiece() {
-        const std::vector<Vec<3>> points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 0}, {2, 3, 0},
-                                            {2, 4, 0}, {2, 5, 0}, {2, 6, 0}, {2, 7, 1}, {2, 7, 2}};
+        const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 0}, {2, 3, 0},
+                                          {2, 4, 0}, {2, 5, 0}, {2, 6, 0}, {2, 7, 1}, {2, 7, 2}};
         const Trajectory<3> trajectory({curve<3>(Interpolation::Bezier, FrameKind::Frenet, points)});
-        const Mat<3> before = trajectory.at(1.0 / 3).position.A;
+        const Mat3 before = trajectory.at(1.0 / 3).position.A;
         QVERIFY(maxNorm(trajectory.at(0.5).position.A - before) < 1e-14);
         QVERIFY(maxNorm(trajectory.at(2.0 / 3).position.A - before) < 1e-14);
         QVERIFY(maxNorm(trajectory.at(2.0 / 3 + 1e-9).position.A - before) < 1e-7);
         // From there on Frenet's frame turns about the binormal of the second bend, which is x.
-        const Mat<3> second = trajectory.at(1).position.A * before.transpose();
-        QVERIFY(maxNorm(second - Eigen::AngleAxisd(kPi / 2, Vec<3>::UnitX()).toRotationMatrix()) < 1e-13);
+        const Mat3 second = trajectory.at(1).position.A * before.transpose();
+        QVERIFY(maxNorm(second - Eigen::AngleAxisd(kPi / 2, Vec3::UnitX()).toRotationMatrix()) < 1e-13);
     }
 
     void degenerateTangents_data() {
@@ -475,11 +475,11 @@ class TestMotion : public QObject {
     }
     void degenerateTangents() {
         QFETCH(QList<double>, xy);
-        std::vector<Vec<3>> points;
+        std::vector<Vec3> points;
         for (int i = 0; i < xy.size(); i += 2) points.push_back({xy[i], xy[i + 1], xy[i] - xy[i + 1]});
         for (const FrameKind kind : {FrameKind::Frenet, FrameKind::Minimal}) {
             const Trajectory<3> trajectory({curve<3>(Interpolation::Bezier, kind, points)});
-            Mat<3> last = Mat<3>::Identity();
+            Mat3 last = Mat3::Identity();
             for (int i = 0; i <= 1000; ++i) {
                 const MovingMap<3> map = trajectory.at(i / 1000.0);
                 QVERIFY(map.position.A.allFinite() && map.velocity.A.allFinite() &&
@@ -493,14 +493,14 @@ class TestMotion : public QObject {
 
     /// A corner is turned about over the neighbouring pieces: continuous, and complete in the end.
     void cornersAreTurnedAbout() {
-        const std::vector<Vec<2>> points = {{0, 0}, {1, 0}, {1, 1}, {3, 1}};
+        const std::vector<Vec2> points = {{0, 0}, {1, 0}, {1, 1}, {3, 1}};
         const Trajectory<2> trajectory({curve<2>(Interpolation::Polyline, FrameKind::Minimal, points)});
-        QVERIFY(maxNorm(trajectory.at(0.125).position.A - Mat<2>::Identity()) < 1e-14);
+        QVERIFY(maxNorm(trajectory.at(0.125).position.A - Mat2::Identity()) < 1e-14);
         QVERIFY(maxNorm(trajectory.at(0.25).position.A - Eigen::Rotation2Dd(kPi / 4).toRotationMatrix()) <
                 1e-14);
         QVERIFY(maxNorm(trajectory.at(0.375).position.A - Eigen::Rotation2Dd(kPi / 2).toRotationMatrix()) <
                 1e-14);
-        QVERIFY(maxNorm(trajectory.at(1).position.A - Mat<2>::Identity()) < 1e-14);
+        QVERIFY(maxNorm(trajectory.at(1).position.A - Mat2::Identity()) < 1e-14);
         double worst = 0;
         for (int i = 1; i < 500; ++i) {
             worst = std::max(worst, maxNorm(trajectory.at(i / 500.0).position.A -
@@ -510,17 +510,16 @@ class TestMotion : public QObject {
     }
 
     void twistAndScaleAreLinear() {
-        const std::vector<Vec<3>> line = {{0, 0, 0}, {2, 0, 0}};
+        const std::vector<Vec3> line = {{0, 0, 0}, {2, 0, 0}};
         const Trajectory<3> trajectory({curve<3>(Interpolation::Polyline, FrameKind::Minimal, line, kPi, 3)});
         for (const double t : {0.25, 0.5, 1.0}) {
-            const Mat<3> expected =
-                (1 + 2 * t) * Eigen::AngleAxisd(kPi * t, Vec<3>::UnitX()).toRotationMatrix();
+            const Mat3 expected = (1 + 2 * t) * Eigen::AngleAxisd(kPi * t, Vec3::UnitX()).toRotationMatrix();
             QVERIFY(maxNorm(trajectory.at(t).position.A - expected) < 1e-14 * 10);
         }
     }
 
     void nonsenseIsRefused() {
-        const std::vector<Vec<2>> good = sCurve<2>();
+        const std::vector<Vec2> good = sCurve<2>();
         Motion<2> reversed{Translate<2>{{1, 0}}};
         reversed.start = 1, reversed.end = 1;
         QVERIFY(throwsNaming<2>(reversed, "time"));

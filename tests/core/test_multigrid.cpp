@@ -154,7 +154,7 @@ void TestMultigrid::constraintsOfAllKinds() {
 void TestMultigrid::fewConstraints() {
     auto task = shearedUniform<3>(phi::kMetr);
     task.rows = {fixed(0)};
-    task.prescribed = Points<3>::Constant(3, 1, 1.0);
+    task.prescribed = Points3::Constant(3, 1, 1.0);
     QVERIFY(task.difference() < 10 * kTolerance);
 }
 
@@ -172,9 +172,9 @@ void TestMultigrid::sameBitsForAnyThreads() {
     auto mesh = unitGrid<3>(15, 0.15, random);
     auto material = Material<3>::uniform(mesh.cellCount(), phi::kMetr);
     const auto task = sheared<3>(std::move(material), std::move(mesh));
-    Points<3> first;
+    Points3 first;
     for (const int threads : {1, 2, 3}) {
-        Points<3> v;
+        Points3 v;
         QVERIFY(task.solver(SolverKind::Multigrid, 1e-3, threads)
                     .solve(task.mesh->points, task.prescribed, v)
                     .done());
@@ -187,10 +187,10 @@ void TestMultigrid::sameBitsForAnyThreads() {
 void TestMultigrid::memoryGoesOnToTheSameBits() {
     const auto task = shearedUniform<3>(phi::kMetr);
     auto solver = task.solver(SolverKind::Multigrid, kTolerance);
-    Points<3> v, other;
+    Points3 v, other;
     QVERIFY(solver.solve(task.mesh->points, task.prescribed, v).done());
     const auto memory = solver.remember();
-    const Points<3> moved = task.mesh->points + 0.01 * v;
+    const Points3 moved = task.mesh->points + 0.01 * v;
     QVERIFY(solver.solve(moved, task.prescribed, v).done());
     QCOMPARE(solver.statistics().factorizations, 1);
     auto again = task.solver(SolverKind::Multigrid, kTolerance);

@@ -13,7 +13,7 @@ using namespace wend;
 
 namespace {
 
-using Loop = std::vector<Vec<2>>;
+using Loop = std::vector<Vec2>;
 using enum OutlineOperation;
 
 Loop rectangle(double x, double y, double w, double h) {
@@ -25,11 +25,11 @@ Loop reversed(Loop loop) {
     return loop;
 }
 
-Loop ngon(const Vec<2>& centre, double radius, int n, double turn = 0) {
+Loop ngon(const Vec2& centre, double radius, int n, double turn = 0) {
     Loop loop;
     for (int i = 0; i < n; ++i) {
         const double angle = turn + 2 * std::numbers::pi * i / n;
-        loop.push_back(centre + radius * Vec<2>(std::cos(angle), std::sin(angle)));
+        loop.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
     }
     return loop;
 }
@@ -43,17 +43,17 @@ double signedSum(const Outline& outline) {
     double twice = 0;
     for (const Loop& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+            const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
             twice += a.x() * b.y() - b.x() * a.y();
         }
     return twice / 2;
 }
 
-bool inside(const Outline& outline, const Vec<2>& p) {
+bool inside(const Outline& outline, const Vec2& p) {
     bool result = false;
     for (const Loop& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const Vec<2>&a = loop[k], &b = loop[(k + 1) % loop.size()];
+            const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
             if ((a.y() > p.y()) != (b.y() > p.y()) &&
                 p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
                 result = !result;
@@ -196,7 +196,7 @@ void TestOutlineCombination::everyPlaceAsTold() {
             requireNoCrossing(result);
             int off = 0, places = 2000;
             for (int k = 0; k < places; ++k) {
-                const Vec<2> p(place(random), place(random));
+                const Vec2 p(place(random), place(random));
                 const bool inA = inside(a, p), inB = inside(b, p);
                 const bool wanted = operation == Add    ? inA || inB
                                     : operation == Keep ? inA && inB

@@ -11,25 +11,25 @@ using namespace wend;
 
 namespace {
 
-using Loop = std::vector<Vec<2>>;
+using Loop = std::vector<Vec2>;
 constexpr double pi = std::numbers::pi;
 
 Loop rectangle(double x, double y, double w, double h) {
     return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
 }
 
-Loop ngon(Vec<2> centre, double radius, int n) {
+Loop ngon(Vec2 centre, double radius, int n) {
     Loop loop;
     for (int i = 0; i < n; ++i)
-        loop.push_back(centre + radius * Vec<2>(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)));
+        loop.push_back(centre + radius * Vec2(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)));
     return loop;
 }
 
-Loop star(Vec<2> centre, double outer, double inner, int n) {
+Loop star(Vec2 centre, double outer, double inner, int n) {
     Loop loop;
     for (int i = 0; i < 2 * n; ++i)
         loop.push_back(centre +
-                       (i % 2 != 0 ? inner : outer) * Vec<2>(std::cos(pi * i / n), std::sin(pi * i / n)));
+                       (i % 2 != 0 ? inner : outer) * Vec2(std::cos(pi * i / n), std::sin(pi * i / n)));
     return loop;
 }
 
@@ -77,9 +77,8 @@ double smallestAngle(const SimplicialMesh<2>& mesh) {
     double smallest = 180;
     for (const auto& cell : mesh.cells)
         for (int k = 0; k < 3; ++k) {
-            const Vec<2> p = mesh.points.col(cell[k]);
-            const Vec<2> u = mesh.points.col(cell[(k + 1) % 3]) - p,
-                         v = mesh.points.col(cell[(k + 2) % 3]) - p;
+            const Vec2 p = mesh.points.col(cell[k]);
+            const Vec2 u = mesh.points.col(cell[(k + 1) % 3]) - p, v = mesh.points.col(cell[(k + 2) % 3]) - p;
             smallest = std::min(smallest, std::acos(u.dot(v) / (u.norm() * v.norm())) * 180 / pi);
         }
     return smallest;
@@ -97,11 +96,11 @@ void requireSound(const SimplicialMesh<2>& mesh) {
 }
 
 /// Of the edges whose middles are wanted.
-double meanEdge(const SimplicialMesh<2>& mesh, const std::function<bool(const Vec<2>&)>& isWanted) {
+double meanEdge(const SimplicialMesh<2>& mesh, const std::function<bool(const Vec2&)>& isWanted) {
     double sum = 0;
     int count = 0;
     for (const auto& facet : facetsOf(mesh)) {
-        const Vec<2> a = mesh.points.col(facet.vertices[0]), b = mesh.points.col(facet.vertices[1]);
+        const Vec2 a = mesh.points.col(facet.vertices[0]), b = mesh.points.col(facet.vertices[1]);
         if (!isWanted((a + b) / 2)) continue;
         sum += (b - a).norm();
         ++count;
@@ -118,11 +117,11 @@ QString errorOf(const std::function<void()>& f) {
     return {};
 }
 
-double distanceToLoops(const Outline& outline, const Vec<2>& p) {
+double distanceToLoops(const Outline& outline, const Vec2& p) {
     double nearest = 1e300;
     for (const auto& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const Vec<2> a = loop[k], u = loop[(k + 1) % loop.size()] - a;
+            const Vec2 a = loop[k], u = loop[(k + 1) % loop.size()] - a;
             const double t = std::clamp((p - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
             nearest = std::min(nearest, (p - a - t * u).norm());
         }
@@ -138,23 +137,23 @@ class TestPlanarMesher : public QObject {
     /// along the boundary, which it reaches.
     void sizesFollowTheFactor() {
         const Outline square{{rectangle(0, 0, 1000, 1000)}};
-        const Vec<2> centre(700, 200);
+        const Vec2 centre(700, 200);
         PlanarMeshOptions options;
         options.vertices = 6000;
-        options.factor = [&](const Vec<2>& p) { return (p - centre).norm() < 300 ? 0.25 : 1.0; };
+        options.factor = [&](const Vec2& p) { return (p - centre).norm() < 300 ? 0.25 : 1.0; };
         const auto mesh = meshOutline(square, options);
         requireSound(mesh);
         QVERIFY2(std::abs(mesh.vertexCount() - 6000) <= 0.15 * 6000,
                  qPrintable(QString::number(mesh.vertexCount())));
         QVERIFY(std::abs(areaOf(mesh) - 1e6) < 1e-3);
         QVERIFY(smallestAngle(mesh) >= 25 - 1e-6);
-        const double fine = meanEdge(mesh, [&](const Vec<2>&p) { return (p - centre).norm() < 270; }),
-                     coarse = meanEdge(mesh, [&](const Vec<2>&p) { return (p - centre).norm() > 450; });
+        const double fine = meanEdge(mesh, [&](const Vec2&p) { return (p - centre).norm() < 270; }),
+                     coarse = meanEdge(mesh, [&](const Vec2&p) { return (p - centre).norm() > 450; });
         QVERIFY2(std::abs(fine / coarse - 0.25) < 0.05, qPrintable(QString("%1 %2").arg(fine).arg(coarse)));
-        const auto onTop = [](const Vec<2>& p) { return p.y() < 1e-9; };
+        const auto onTop = [](const Vec2& p) { return p.y() < 1e-9; };
         const double fineBoundary = meanEdge(
-                         mesh, [&](const Vec<2>&p) { return onTop(p) && std::abs(p.x() - 700) < 180; }),
-                     coarseBoundary = meanEdge(mesh, [&](const Vec<2>&p) { return onTop(p) && p.x() < 300; });
+                         mesh, [&](const Vec2&p) { return onTop(p) && std::abs(p.x() - 700) < 180; }),
+                     coarseBoundary = meanEdge(mesh, [&](const Vec2&p) { return onTop(p) && p.x() < 300; });
         QVERIFY2(std::abs(fineBoundary / coarseBoundary - 0.25) < 0.06,
                  qPrintable(QString("%1 %2").arg(fineBoundary).arg(coarseBoundary)));
     }
@@ -163,7 +162,7 @@ class TestPlanarMesher : public QObject {
         for (const double factor : {0.2, 5.0}) {
             PlanarMeshOptions even, scaled;
             even.vertices = scaled.vertices = 3000;
-            scaled.factor = [factor](const Vec<2>&) { return factor; };
+            scaled.factor = [factor](const Vec2&) { return factor; };
             const Outline disc{{ngon({0, 0}, 500, 40)}};
             const int a = meshOutline(disc, even).vertexCount(), b = meshOutline(disc, scaled).vertexCount();
             QVERIFY2(std::abs(a - b) <= 0.02 * a, qPrintable(QString("%1 %2").arg(a).arg(b)));
@@ -199,7 +198,7 @@ class TestPlanarMesher : public QObject {
             const auto mesh = meshOutline(outline, {});
             for (const auto& facet : facetsOf(mesh))
                 if (!facet.interior()) {
-                    const Vec<2> middle =
+                    const Vec2 middle =
                         (mesh.points.col(facet.vertices[0]) + mesh.points.col(facet.vertices[1])) / 2;
                     QVERIFY(distanceToLoops(outline, middle) < 1e-10);
                 }
@@ -382,7 +381,7 @@ class TestPlanarMesher : public QObject {
 
     void badPointsAndOptionsAreRefused() {
         const Outline square{{rectangle(0, 0, 100, 100), rectangle(40, 40, 20, 20)}};
-        const auto withPoints = [&](std::vector<Vec<2>> points) {
+        const auto withPoints = [&](std::vector<Vec2> points) {
             PlanarMeshOptions options;
             options.points = std::move(points);
             return errorOf([&] { meshOutline(square, options); });

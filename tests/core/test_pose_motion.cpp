@@ -18,11 +18,11 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// The rotation by Eigen's formula instead of ours.
-Mat<3> rotation(const RotationVector<3>& w) {
-    return w.norm() > 0 ? Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix() : Mat<3>::Identity();
+Mat3 rotation(const RotationVector<3>& w) {
+    return w.norm() > 0 ? Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix() : Mat3::Identity();
 }
-Mat<2> rotation(const RotationVector<2>& w) {
-    return (Mat<2>() << std::cos(w[0]), -std::sin(w[0]), std::sin(w[0]), std::cos(w[0])).finished();
+Mat2 rotation(const RotationVector<2>& w) {
+    return (Mat2() << std::cos(w[0]), -std::sin(w[0]), std::sin(w[0]), std::cos(w[0])).finished();
 }
 
 template <int Dim>
@@ -208,22 +208,22 @@ class TestPoseMotion : public QObject {
     /// The shortest turn, unless the rotation vectors say more.
     void turns() {
         const auto turnedBy = [](double from, double to) {
-            const Vec<3> axis = Vec<3>(1, 2, 2) / 3;
-            const RigidPose<3> a{Vec<3>::Zero(), from * axis}, b{Vec<3>::Zero(), to * axis};
-            const Mat<3> rate = ScrewMotion<3>(a, b).at(0).velocity.A;
-            return Vec<3>(rate(2, 1), rate(0, 2), rate(1, 0)).dot(axis);
+            const Vec3 axis = Vec3(1, 2, 2) / 3;
+            const RigidPose<3> a{Vec3::Zero(), from * axis}, b{Vec3::Zero(), to * axis};
+            const Mat3 rate = ScrewMotion<3>(a, b).at(0).velocity.A;
+            return Vec3(rate(2, 1), rate(0, 2), rate(1, 0)).dot(axis);
         };
         QVERIFY(std::abs(turnedBy(3, -3) - (2 * kPi - 6)) < 1e-12);
         QVERIFY(std::abs(turnedBy(0, 2 * kPi) - 2 * kPi) < 1e-12);
         QVERIFY(std::abs(turnedBy(1, 8) - 7) < 1e-12);
         QVERIFY(std::abs(turnedBy(0.5, 2) - 1.5) < 1e-12);
         // A whole turn on the spot or along its axis is a screw motion, across it is none.
-        const Vec<3> z = Vec<3>::UnitZ();
-        const RigidPose<3> here{Vec<3>(1, 2, 3), Vec<3>::Zero()};
-        const ScrewMotion<3> along(here, {Vec<3>(1, 2, 5), 2 * kPi * z});
-        QVERIFY((along.at(0.5).position(Vec<3>(2, 2, 3)) - Vec<3>(0, 2, 4)).norm() < 1e-13);
+        const Vec3 z = Vec3::UnitZ();
+        const RigidPose<3> here{Vec3(1, 2, 3), Vec3::Zero()};
+        const ScrewMotion<3> along(here, {Vec3(1, 2, 5), 2 * kPi * z});
+        QVERIFY((along.at(0.5).position(Vec3(2, 2, 3)) - Vec3(0, 2, 4)).norm() < 1e-13);
         QVERIFY(errorOf([&] {
-                    ScrewMotion<3>(here, {Vec<3>(2, 2, 3), 2 * kPi * z});
+                    ScrewMotion<3>(here, {Vec3(2, 2, 3), 2 * kPi * z});
                 }).starts_with("a whole turn"));
         PoseMotion<2> standing = posesAt<2>({0, 1});
         standing.times[1] = 0;

@@ -35,11 +35,11 @@ enum class Walls { Single, Doubled, Soup };
 /// A stack of boxes along an axis, whose inner walls are ordered as the bits of `flips` say.
 Surface stack(const std::vector<double>& heights, int axis, Walls walls, unsigned flips) {
     Surface surface;
-    std::vector<Vec<3>> points;
+    std::vector<Vec3> points;
     double height = -0.7;
     for (std::size_t k = 0; k <= heights.size(); ++k) {
         for (int corner = 0; corner < 4; ++corner) {
-            Vec<3> p;
+            Vec3 p;
             p[axis] = height;
             p[(axis + 1) % 3] = corner == 1 || corner == 2 ? 1.3 : 0.1;
             p[(axis + 2) % 3] = corner >= 2 ? 0.9 : -0.2;
@@ -105,7 +105,7 @@ VolumeMesh meshed(const Surface& surface, Shells shells = Shells::Automatic, boo
 Surface nestedBoxes(int n, bool inwards) {
     Surface all;
     for (int half = n; half > 0; --half) {
-        Surface one = box(Vec<3>::Constant(-half), Vec<3>::Constant(half));
+        Surface one = box(Vec3::Constant(-half), Vec3::Constant(half));
         if (inwards && half % 2 == 0)
             for (auto& t : one.triangles) std::swap(t[0], t[1]);
         one.labels.assign(one.triangles.size(), n - half + 1);
@@ -160,8 +160,8 @@ void TestShellSpaces::blocksOfCubes() {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 2; ++j)
             for (int k = 0; k < 2; ++k) {
-                const Vec<3> low(i, j, k);
-                const Surface cube = box(low, low + Vec<3>::Ones());
+                const Vec3 low(i, j, k);
+                const Surface cube = box(low, low + Vec3::Ones());
                 all = all.triangles.empty() ? cube : joined(all, cube);
             }
     // A wall between two cubes has two copies of each triangle, unless the diagonals differ.

@@ -137,11 +137,11 @@ void TestSkin::fieldsAndLabelsInPly() {
 
 void TestSkin::normalsPointOut() {
     const Surface box = test::box({-1, -1, -1}, {1, 1, 1}, 4);
-    const Points<3> normals = vertexNormals(box.points, box.triangles);
+    const Points3 normals = vertexNormals(box.points, box.triangles);
     for (Eigen::Index v = 0; v < normals.cols(); ++v) {
         QVERIFY(std::abs(normals.col(v).norm() - 1) < 1e-14);
-        const Vec<3> p = box.points.col(v);
-        const Vec<3> outside = (p.array().abs() == 1).select(p, 0).matrix();
+        const Vec3 p = box.points.col(v);
+        const Vec3 outside = (p.array().abs() == 1).select(p, 0).matrix();
         QVERIFY((normals.col(v) - outside.normalized()).norm() < 1e-14);  // by angles: exact at corners too
     }
 }

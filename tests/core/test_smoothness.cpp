@@ -65,7 +65,7 @@ void weights() {
 
 /// The field of one pulled vertex on a square of diagonal 1, with n × n boxes and its left side fixed, at
 /// fixed points.
-Points<2> pulledField(int n, double phi, Smoothing smoothing, const Points<2>& at) {
+Points2 pulledField(int n, double phi, Smoothing smoothing, const Points2& at) {
     std::mt19937 random(3);
     const auto mesh = std::make_shared<const SimplicialMesh<2>>(unitGrid<2>(n, 0, random));
     const auto material =
@@ -74,12 +74,12 @@ Points<2> pulledField(int n, double phi, Smoothing smoothing, const Points<2>& a
     std::vector<ConstraintRow> rows;
     for (int j = 0; j <= n; ++j) rows.push_back({{{j * (n + 1), 1.0}}});
     rows.push_back({{{n / 2 * (n + 1) + n / 2 + n / 4, 1.0}}});
-    Points<2> prescribed = Points<2>::Zero(2, n + 2), v;
-    prescribed.col(n + 1) = Vec<2>(0.6, 0.8);
+    Points2 prescribed = Points2::Zero(2, n + 2), v;
+    prescribed.col(n + 1) = Vec2(0.6, 0.8);
     solver.setConstraints(rows);
     if (!solver.solve(mesh->points, prescribed, v).done()) return {};
     const PointLocator<2> locator(mesh->points, mesh->cells);
-    Points<2> result(2, at.cols());
+    Points2 result(2, at.cols());
     for (int i = 0; i < at.cols(); ++i) {
         const auto location = locator.find(at.col(i), 1e-9);
         result.col(i).setZero();
@@ -90,17 +90,17 @@ Points<2> pulledField(int n, double phi, Smoothing smoothing, const Points<2>& a
 }
 
 /// Points all over the square and on rings around the handle, down to 0.02 of the diagonal.
-Points<2> samplePoints() {
+Points2 samplePoints() {
     const double side = std::sqrt(0.5);
-    const Vec<2> handle(0.75 * side, 0.5 * side);
-    std::vector<Vec<2>> points;
+    const Vec2 handle(0.75 * side, 0.5 * side);
+    std::vector<Vec2> points;
     for (int i = 1; i < 10; ++i)
-        for (int j = 0; j <= 10; ++j) points.push_back(Vec<2>(i, j) * side / 10);
+        for (int j = 0; j <= 10; ++j) points.push_back(Vec2(i, j) * side / 10);
     for (double radius : {0.02, 0.04, 0.08})
         for (int i = 0; i < 12; ++i)
-            points.push_back(handle + radius * Vec<2>(std::cos(i * std::numbers::pi / 6),
-                                                      std::sin(i * std::numbers::pi / 6)));
-    Points<2> result(2, static_cast<int>(points.size()));
+            points.push_back(handle + radius * Vec2(std::cos(i * std::numbers::pi / 6),
+                                                    std::sin(i * std::numbers::pi / 6)));
+    Points2 result(2, static_cast<int>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<int>(i)) = points[i];
     return result;
 }
@@ -110,7 +110,7 @@ struct Changes {
 };
 Changes changes(double phi, Smoothing smoothing) {
     const auto at = samplePoints();
-    std::vector<Points<2>> fields;
+    std::vector<Points2> fields;
     for (int n : {32, 64, 128}) fields.push_back(pulledField(n, phi, smoothing, at));
     const auto distance = [&](int i) { return (fields[i + 1] - fields[i]).colwise().norm().maxCoeff(); };
     return {distance(0), distance(1)};

@@ -21,7 +21,7 @@ class Impatient final : public IterativeSolver<3> {
                       const WorkerPool::Progress& progress) override {
         return m_solver->build(std::move(shape), stop, progress);
     }
-    Result run(const Goal& goal, const Points<3>* load, Points<3>& v) override {
+    Result run(const Goal& goal, const Points3* load, Points3& v) override {
         Goal short_ = goal;
         short_.most = 1;
         return m_solver->run(short_, load, v);

@@ -150,8 +150,8 @@ struct LongStrip {
     std::shared_ptr<const SimplicialMesh<2>> mesh;
     std::shared_ptr<const Material<2>> material;
     std::vector<ConstraintRow> rows;
-    Points<2> up, slant;           // prescribed
-    Points<2> lifted, pulledSide;  // what they give, solved directly
+    Points2 up, slant;           // prescribed
+    Points2 lifted, pulledSide;  // what they give, solved directly
 
     explicit LongStrip(int length) {
         SimplicialMesh<2> strip = samples::strip<2>(4 * length, 4, length);
@@ -160,7 +160,7 @@ struct LongStrip {
         material = std::make_shared<const Material<2>>(Material<2>::uniform(mesh->cellCount(), phi::kMetr));
         for (int v = 0; v < mesh->vertexCount(); ++v)
             if (mesh->points(0, v) < 1e-9 || v == mesh->vertexCount() - 1) rows.push_back({{{v, 1.0}}});
-        up = slant = Points<2>::Zero(2, static_cast<Eigen::Index>(rows.size()));
+        up = slant = Points2::Zero(2, static_cast<Eigen::Index>(rows.size()));
         up.rightCols(1) << 0, 1;
         slant.rightCols(1) << 0.5, 1;
         VelocitySolver<2> direct = solver(0);
@@ -174,11 +174,11 @@ struct LongStrip {
         solver.setVelocityTolerance(tolerance);
         return solver;
     }
-    double error(const Points<2>& v) const {
+    double error(const Points2& v) const {
         return (v - lifted).cwiseAbs().maxCoeff() / lifted.cwiseAbs().maxCoeff();
     }
     /// A guess that is off by a smooth field: of such an error a poor factor shows little, and leaves much.
-    Points<2> guess(double off) const { return lifted + off * (pulledSide - lifted); }
+    Points2 guess(double off) const { return lifted + off * (pulledSide - lifted); }
 };
 
 }  // namespace
@@ -188,7 +188,7 @@ void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
     const LongStrip strip(40);
     const double tolerance = 1e-4;
     auto solver = strip.solver(tolerance);
-    Points<2> v;
+    Points2 v;
     QVERIFY(solver.solve(strip.mesh->points, strip.up, v).done());
     QVERIFY(strip.error(v) <= 3 * tolerance);
     FactorMemory<2> memory = solver.remember();
@@ -216,7 +216,7 @@ void TestSolverReuse::singlePrecisionIsGivenUp() {
     for (int length : {60, 80, 90, 100, 110, 240, 480}) {
         const LongStrip strip(length);
         auto solver = strip.solver(tolerance);
-        Points<2> v;
+        Points2 v;
         QVERIFY(!solver.remember().freshContraction);
         QVERIFY(solver.solve(strip.mesh->points, strip.up, v).done());
         QVERIFY2(strip.error(v) <= 3 * tolerance, qPrintable(QString::number(strip.error(v))));
@@ -253,7 +253,7 @@ void TestSolverReuse::contractionsAreToldAsMeasured() {
     };
     const auto run = [&](const ConjugateGradients<2>::Goal& goal) {
         ConjugateGradients<2> iteration;
-        Points<2> v;
+        Points2 v;
         system.particular(strip.up, v);
         sizes.clear();
         return iteration.run(*backEnd, system, none, goal, nullptr, v);
@@ -298,7 +298,7 @@ void TestSolverReuse::cholmodServesWhereItIsQuicker() {
         VelocitySolver<3> solver(turn.mesh, material, BackEndKind::Cpu, threads);
         solver.setConstraints(turn.rows);
         solver.setVelocityTolerance(1e-4);
-        Points<3> v;
+        Points3 v;
         if (!solver.solve(turn.mesh->points, turn.speeds(turn.mesh->points), v).done())
             throw std::runtime_error("not solved");
         return solver.remember().kind;
@@ -368,17 +368,17 @@ void TestSolverReuse::memoryGoesOnToTheSameBits() {
 /// twice as far has its own. A solver that has others meanwhile makes them again.
 void TestSolverReuse::rotationsServeNearbyShapes() {
     const Turn<2> turn(12);
-    const Points<2>& rest = turn.mesh->points;
+    const Points2& rest = turn.mesh->points;
     const auto material =
         std::make_shared<const Material<2>>(Material<2>::uniform(turn.mesh->cellCount(), phi::kMetr));
     VelocitySolver<2> solver(turn.mesh, material, BackEndKind::Cpu, 1);
     solver.setConstraints(turn.rows);
     solver.setVelocityTolerance(1e-5);
-    Points<2> start, v, again;
+    Points2 start, v, again;
     QVERIFY(solver.solve(rest, turn.speeds(rest), start).done());
     QVERIFY(!solver.remember().turned);
-    const auto solve = [&](double time, Points<2>& field) {
-        const Points<2> shape = rest + time * start;
+    const auto solve = [&](double time, Points2& field) {
+        const Points2 shape = rest + time * start;
         QVERIFY(solver.solve(shape, turn.speeds(shape), field, start).done());
     };
     solve(0.1, v);
@@ -482,12 +482,11 @@ void TestSolverReuse::isotropicBackEndAgrees() {
 
 void TestSolverReuse::historyExtrapolates() {
     std::mt19937 random(2);
-    const Points<2> a = randomField<2>(random, 9), b = randomField<2>(random, 9),
-                    c = randomField<2>(random, 9);
-    const auto field = [&](double t) { return Points<2>(a + t * b + t * t * c); };
+    const Points2 a = randomField<2>(random, 9), b = randomField<2>(random, 9), c = randomField<2>(random, 9);
+    const auto field = [&](double t) { return Points2(a + t * b + t * t * c); };
     VelocityHistory<2> history;
     QVERIFY(!history.at(0).has_value());
-    const Points<2> none(2, 0);
+    const Points2 none(2, 0);
     for (double t : {0.0, 0.3, 0.45}) history.record(t, none, field(t));
     history.record(0.45 * (1 + 1e-16), none, field(0.45));  // the same time
     QVERIFY((*history.at(0.5) - field(0.5)).cwiseAbs().maxCoeff() <= 1e-12);
@@ -501,25 +500,25 @@ void TestSolverReuse::historyExtrapolates() {
     QVERIFY(*history.at(2) == a);
 }
 
-Mat<2> rotationBy(double angle) {
-    return (Mat<2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)).finished();
+Mat2 rotationBy(double angle) {
+    return (Mat2() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)).finished();
 }
 
 /// Of steps of Runge and Kutta through a field that turns: a quadratic polynomial misses by what turns, too.
 void TestSolverReuse::historyLearnsFromMisses() {
     std::mt19937 random(2);
-    const Points<2> start = randomField<2>(random, 9), none(2, 0);
+    const Points2 start = randomField<2>(random, 9), none(2, 0);
     const double h = 0.1, rate = 3;
-    const auto field = [&](double t) { return Points<2>(rotationBy(rate * t) * start); };
-    const VelocityHistory<2>::Turn turn = [&](const Points<2>& from, const Points<2>& to, auto& fields) {
+    const auto field = [&](double t) { return Points2(rotationBy(rate * t) * start); };
+    const VelocityHistory<2>::Turn turn = [&](const Points2& from, const Points2& to, auto& fields) {
         QVERIFY(from.cols() == 1 && to.cols() == 1);
-        for (Points<2>& f : fields) f = (rotationBy(rate * (to(0) - from(0))) * f).eval();
+        for (Points2& f : fields) f = (rotationBy(rate * (to(0) - from(0))) * f).eval();
     };
     VelocityHistory<2> history;
     double worst = 0, worstOfPolynomial = 0;
     for (int n = 0; n < 6; ++n) {
         const double from = n * h;
-        const auto shape = std::make_shared<const Points<2>>(Points<2>::Constant(2, 1, from));
+        const auto shape = std::make_shared<const Points2>(Points2::Constant(2, 1, from));
         history.begin(from, from + 2 * h, shape, turn);
         history.begin(from, from + h, shape, turn);  // the first attempt came to nothing
         VelocityHistory<2> polynomial = history;
@@ -546,9 +545,9 @@ void TestSolverReuse::fieldsTurnWithTheShape() {
     const auto material =
         std::make_shared<const Material<2>>(Material<2>::uniform(turn.mesh->cellCount(), phi::kMetr));
     VelocitySolver<2> solver(turn.mesh, material, BackEndKind::Cpu, 1);
-    const Mat<2> R = rotationBy(0.7);
-    const Points<2> to = 1.2 * (R * turn.mesh->points);
-    std::vector<Points<2>> fields;
+    const Mat2 R = rotationBy(0.7);
+    const Points2 to = 1.2 * (R * turn.mesh->points);
+    std::vector<Points2> fields;
     for (int i = 0; i < 2; ++i) fields.push_back(randomField<2>(random, turn.mesh->vertexCount()));
     const auto before = fields;
     solver.turn(turn.mesh->points, to, fields);
@@ -557,16 +556,16 @@ void TestSolverReuse::fieldsTurnWithTheShape() {
 
 void TestSolverReuse::historyFitsPrescribed() {
     std::mt19937 random(2);
-    const Points<3> response1 = randomField<3>(random, 9), response2 = randomField<3>(random, 9);
-    const auto velocity = [&](const Points<3>& p) { return Points<3>(p(0) * response1 + p(1) * response2); };
+    const Points3 response1 = randomField<3>(random, 9), response2 = randomField<3>(random, 9);
+    const auto velocity = [&](const Points3& p) { return Points3(p(0) * response1 + p(1) * response2); };
     VelocityHistory<3> history;
-    QVERIFY(!history.fitting(Points<3>::Ones(3, 1)).has_value());
-    const std::vector<Vec<3>> directions = {{1, 0, 0}, {0.5, 0.5, 0}, {2, 0, 0}};
+    QVERIFY(!history.fitting(Points3::Ones(3, 1)).has_value());
+    const std::vector<Vec3> directions = {{1, 0, 0}, {0.5, 0.5, 0}, {2, 0, 0}};
     double t = 0;
     for (const auto& p : directions) history.record(t += 1, p, velocity(p));
-    const Vec<3> p{-1, 3, 0};
+    const Vec3 p{-1, 3, 0};
     QVERIFY((*history.fitting(p) - velocity(p)).cwiseAbs().maxCoeff() <= 1e-12);
-    QVERIFY(!history.fitting(Points<3>::Ones(3, 2)).has_value());
+    QVERIFY(!history.fitting(Points3::Ones(3, 2)).has_value());
 }
 
 void TestSolverReuse::policyRefactorizes() {

@@ -37,7 +37,7 @@ Surface torusOf(double major, double minor, int n, int m) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < m; ++j) {
             const double u = 2 * kPi * i / n, v = 2 * kPi * j / m, r = major + minor * std::cos(v);
-            surface.points.col(i * m + j) = Vec<3>(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
+            surface.points.col(i * m + j) = Vec3(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
             const int a = i * m + j, b = (i + 1) % n * m + j, c = (i + 1) % n * m + (j + 1) % m,
                       d = i * m + (j + 1) % m;
             surface.triangles.insert(surface.triangles.end(), {{a, b, c}, {a, c, d}});
@@ -58,12 +58,12 @@ Surface framed() {
     for (int x = 0; x < 3; ++x)
         for (int y = 0; y < 3; ++y) {
             if (x == 1 && y == 1) continue;
-            const Surface one = box(Vec<3>(x, y, 0), Vec<3>(x + 1, y + 1, 1));
+            const Surface one = box(Vec3(x, y, 0), Vec3(x + 1, y + 1, 1));
             all = all.triangles.empty() ? one : joined(all, one);
         }
     // Walls between two cubes go: the two triangles of each of them lie on each other with opposite sides.
     const auto centre = [&](const std::array<int, 3>& t) {
-        return Vec<3>(all.points.col(t[0]) + all.points.col(t[1]) + all.points.col(t[2]));
+        return Vec3(all.points.col(t[0]) + all.points.col(t[1]) + all.points.col(t[2]));
     };
     const auto isInner = [&](const std::array<int, 3>& t) {
         for (int axis = 0; axis < 2; ++axis) {
@@ -88,7 +88,7 @@ void TestSurfaceFacts::sphere() {
     QCOMPARE(facts.sides, 2);
     QCOMPARE(facts.boundaryLoops, 0);
     QCOMPARE(facts.parts, 1);
-    QVERIFY((facts.high - facts.low - Vec<3>::Constant(4)).norm() < 1e-12);
+    QVERIFY((facts.high - facts.low - Vec3::Constant(4)).norm() < 1e-12);
 }
 
 void TestSurfaceFacts::torus() {
@@ -109,7 +109,7 @@ void TestSurfaceFacts::edgesOfABlock() {
     QVERIFY(std::abs(facts.longestEdge - std::sqrt(13)) < 1e-12);
     const double sum = 4 * (3 + 2 + 1) + 2 * (std::sqrt(13) + std::sqrt(10) + std::sqrt(5));
     QVERIFY(std::abs(facts.meanEdge - sum / 18) < 1e-12);
-    QVERIFY((facts.low - Vec<3>(1, 1, 1)).norm() == 0 && (facts.high - Vec<3>(4, 3, 2)).norm() == 0);
+    QVERIFY((facts.low - Vec3(1, 1, 1)).norm() == 0 && (facts.high - Vec3(4, 3, 2)).norm() == 0);
 }
 
 void TestSurfaceFacts::cubeWithAHole() {

@@ -24,14 +24,14 @@ template <class Gone>
 Surface without(Surface surface, const Gone& gone) {
     std::erase_if(surface.triangles, [&](const std::array<int, 3>& t) {
         return gone(
-            Vec<3>((surface.points.col(t[0]) + surface.points.col(t[1]) + surface.points.col(t[2])) / 3));
+            Vec3((surface.points.col(t[0]) + surface.points.col(t[1]) + surface.points.col(t[2])) / 3));
     });
     return surface;
 }
 
 /// A hole of 4 edges in the top, and one of 8 in the bottom.
 Surface twoHoles() {
-    return without(kBox, [](const Vec<3>& p) {
+    return without(kBox, [](const Vec3& p) {
         const bool top = p.z() > 5.9 && p.x() > 2 && p.x() < 3 && p.y() > 2 && p.y() < 3;
         return top || (p.z() < 0.1 && p.x() > 1 && p.x() < 3 && p.y() > 1 && p.y() < 3);
     });
@@ -57,7 +57,7 @@ class TestSurfaceFixes : public QObject {
     void seams() {
         for (const double gap : {1e-4, 0.5}) {
             Surface box;
-            std::vector<Vec<3>> points;
+            std::vector<Vec3> points;
             for (const double side : {0.0, 1.0})
                 for (int x = 0; x < 2; ++x)
                     for (int k = 0; k < 4; ++k)
@@ -168,7 +168,7 @@ void TestSurfaceFixes::whatHangsAloneGoes() {
 
 /// What would fill a flat sheet lies on it.
 void TestSurfaceFixes::fillingThatHelpsNothingIsNotOffered() {
-    Surface sheet = without(kBox, [](const Vec<3>& p) { return p.z() < 5.9; });
+    Surface sheet = without(kBox, [](const Vec3& p) { return p.z() < 5.9; });
     sheet.points.row(2).setConstant(6);
     QVERIFY(fixFor(sheet, {}, "hole", casesOf(sheet, "hole").at(0)).steps.empty());
 }
@@ -204,7 +204,7 @@ void TestSurfaceFixes::slitIsFilledWithTheTriangleBesideIt() {
 /// The repair of all does the same; the triangles that come keep the label, and those before them the order.
 void TestSurfaceFixes::slitsAreRepaired() {
     Surface slits = joined(withSlit(0.5), withSlit(0.3));
-    slits.points.rightCols(9).colwise() += Vec<3>(3, 0, 0);
+    slits.points.rightCols(9).colwise() += Vec3(3, 0, 0);
     for (int t = 0; t < slits.triangleCount(); ++t) slits.labels.push_back(t + 1);
     RepairReport report;
     const Surface done = repairSurface(slits, 30, report);
@@ -227,7 +227,7 @@ Surface withNeedle() {
     for (int i = 0; i < 3 * rings; ++i) {
         const double angle = i % 3 * 2 * M_PI / 3;
         const int ring = i / 3, next = i % 3 == 2 ? i - 2 : i + 1;
-        needle.points.col(i) = Vec<3>(3.4 + 0.3 * cos(angle), 3.3 + 0.3 * sin(angle), ring - 0.6);
+        needle.points.col(i) = Vec3(3.4 + 0.3 * cos(angle), 3.3 + 0.3 * sin(angle), ring - 0.6);
         if (ring + 1 == rings) continue;
         needle.triangles.push_back({i, next, next + 3});
         needle.triangles.push_back({i, next + 3, i + 3});
@@ -278,7 +278,7 @@ void TestSurfaceFixes::bandHasOneSide() {
 void TestSurfaceFixes::crossingGoes() {
     Surface surface = kBox;
     for (int v = 0; v < surface.vertexCount(); ++v)
-        if (surface.points.col(v) == Vec<3>(3, 3, 6)) surface.points.col(v) = Vec<3>(3.1, 3.2, -1);
+        if (surface.points.col(v) == Vec3(3, 3, 6)) surface.points.col(v) = Vec3(3.1, 3.2, -1);
     const auto cases = casesOf(surface, "crossing");
     QVERIFY(!cases.empty());
     const int before = static_cast<int>(cases.size());
@@ -301,8 +301,8 @@ void TestSurfaceFixes::crossingGoes() {
 void TestSurfaceFixes::oneCrossingCostsNoMoreThanAll() {
     Surface surface = kBox;
     for (int v = 0; v < surface.vertexCount(); ++v) {
-        if (surface.points.col(v) == Vec<3>(3, 3, 6)) surface.points.col(v) = Vec<3>(1.5, 1.75, 5);
-        if (surface.points.col(v) == Vec<3>(4, 3, 6)) surface.points.col(v) = Vec<3>(5.5, 2.25, 7.5);
+        if (surface.points.col(v) == Vec3(3, 3, 6)) surface.points.col(v) = Vec3(1.5, 1.75, 5);
+        if (surface.points.col(v) == Vec3(4, 3, 6)) surface.points.col(v) = Vec3(5.5, 2.25, 7.5);
     }
     const auto cases = casesOf(surface, "crossing");
     QVERIFY(cases.size() > 1);
@@ -352,7 +352,7 @@ void TestSurfaceFixes::allCrossingsGo() {
     Surface surface = box({0, 0, 0}, {12, 6, 6}, 12);
     for (const double x : {3.0, 9.0})
         for (int v = 0; v < surface.vertexCount(); ++v)
-            if (surface.points.col(v) == Vec<3>(x, 3, 6)) surface.points.col(v) = Vec<3>(x + 0.1, 3.2, -1);
+            if (surface.points.col(v) == Vec3(x, 3, 6)) surface.points.col(v) = Vec3(x + 0.1, 3.2, -1);
     QVERIFY(casesOf(surface, "crossing").size() > 2);
     const FaultFix all = fixForAll(surface, {}, "crossing", 30);
     QVERIFY2(all.left.boundsVolume(), all.left.summary().text().c_str());

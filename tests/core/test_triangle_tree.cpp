@@ -25,7 +25,7 @@ namespace {
 using Triangles = std::vector<std::array<int, 3>>;
 
 struct Shape {
-    Points<3> points;
+    Points3 points;
     Triangles triangles;
 };
 
@@ -34,20 +34,20 @@ Shape shapeOf(const Surface& surface) {
 }
 
 /// Distances from the plane's equation and the areas of the parts, unlike the tree's.
-double distanceByPlane(const Shape& s, int t, const Vec<3>& origin, const Vec<3>& direction) {
+double distanceByPlane(const Shape& s, int t, const Vec3& origin, const Vec3& direction) {
     const auto& id = s.triangles[t];
-    const Vec<3> a = s.points.col(id[0]), b = s.points.col(id[1]), c = s.points.col(id[2]);
-    const Vec<3> n = (b - a).cross(c - a);
+    const Vec3 a = s.points.col(id[0]), b = s.points.col(id[1]), c = s.points.col(id[2]);
+    const Vec3 n = (b - a).cross(c - a);
     const double along = n.dot(direction);
     if (along == 0) return -1;
     const double distance = n.dot(a - origin) / along;
-    const Vec<3> p = origin + distance * direction;
+    const Vec3 p = origin + distance * direction;
     const bool inside = n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
                         n.dot((a - c).cross(p - c)) >= 0;
     return inside && distance > 0 ? distance : -1;
 }
 
-double nearestOfAll(const Shape& s, const Vec<3>& origin, const Vec<3>& direction) {
+double nearestOfAll(const Shape& s, const Vec3& origin, const Vec3& direction) {
     double nearest = -1;
     for (int t = 0; t < static_cast<int>(s.triangles.size()); ++t) {
         const double distance = distanceByPlane(s, t, origin, direction);
@@ -56,7 +56,7 @@ double nearestOfAll(const Shape& s, const Vec<3>& origin, const Vec<3>& directio
     return nearest;
 }
 
-Vec<3> randomPoint(std::mt19937& random, double size) {
+Vec3 randomPoint(std::mt19937& random, double size) {
     const auto one = [&] { return size * (2.0 * random() / std::mt19937::max() - 1); };
     const double x = one(), y = one();
     return {x, y, one()};
@@ -66,8 +66,8 @@ void compare(const TriangleTree& tree, const Shape& shape, double size) {
     std::mt19937 random(7);
     int met = 0;
     for (int i = 0; i < 400; ++i) {
-        const Vec<3> origin = randomPoint(random, 2 * size);
-        const Vec<3> direction = (randomPoint(random, size) - origin).normalized();
+        const Vec3 origin = randomPoint(random, 2 * size);
+        const Vec3 direction = (randomPoint(random, size) - origin).normalized();
         const double expected = nearestOfAll(shape, origin, direction);
         const auto hit = tree.firstHit(origin, direction);
         QCOMPARE(hit.triangle >= 0, expected > 0);
@@ -117,8 +117,7 @@ void TestTriangleTree::followsThePose() {
     TriangleTree tree(shape.points, shape.triangles);
     for (Eigen::Index i = 0; i < shape.points.cols(); ++i) {
         const double z = shape.points(2, i);
-        shape.points.col(i) =
-            Eigen::AngleAxisd(2 * z, Vec<3>::UnitY()) * shape.points.col(i) + Vec<3>(z, 0, 0);
+        shape.points.col(i) = Eigen::AngleAxisd(2 * z, Vec3::UnitY()) * shape.points.col(i) + Vec3(z, 0, 0);
     }
     tree.refit(shape.points);
     compare(tree, shape, 1.5);
@@ -131,11 +130,11 @@ void TestTriangleTree::nearestIsThatOfAll() {
     std::mt19937 random(11);
     constexpr int kSteps = 12;
     for (int i = 0; i < 100; ++i) {
-        const Vec<3> p = randomPoint(random, 2);
+        const Vec3 p = randomPoint(random, 2);
         const auto nearest = tree.nearest(p);
         QVERIFY(nearest.triangle >= 0 && nearest.weights.minCoeff() >= 0);
         QVERIFY(std::abs(nearest.weights.sum() - 1) < 1e-12);
-        const auto at = [&](const std::array<int, 3>& t, const Vec<3>& w) -> Vec<3> {
+        const auto at = [&](const std::array<int, 3>& t, const Vec3& w) -> Vec3 {
             return w[0] * shape.points.col(t[0]) + w[1] * shape.points.col(t[1]) +
                    w[2] * shape.points.col(t[2]);
         };
@@ -144,7 +143,7 @@ void TestTriangleTree::nearestIsThatOfAll() {
         for (const auto& t : shape.triangles)
             for (int a = 0; a <= kSteps; ++a)
                 for (int b = 0; a + b <= kSteps; ++b)
-                    minimum = std::min(minimum, (at(t, Vec<3>(kSteps - a - b, a, b) / kSteps) - p).norm());
+                    minimum = std::min(minimum, (at(t, Vec3(kSteps - a - b, a, b) / kSteps) - p).norm());
         QVERIFY(distance <= minimum + 1e-12 && distance > minimum - 1.0 / kSteps);
     }
 }
@@ -157,7 +156,7 @@ void TestTriangleTree::looksAtFew() {
         std::mt19937 random(3);
         double visited = 0;
         for (int i = 0; i < 100; ++i) {
-            const Vec<3> origin = 3 * randomPoint(random, 1).normalized();
+            const Vec3 origin = 3 * randomPoint(random, 1).normalized();
             visited += tree.firstHit(origin, (0.7 * randomPoint(random, 1) - origin).normalized()).visited;
         }
         qInfo("%d triangles: %.1f boxes and triangles looked at per ray", tree.triangleCount(),
@@ -169,12 +168,12 @@ void TestTriangleTree::looksAtFew() {
 }
 
 void TestTriangleTree::nothingAndDamage() {
-    QCOMPARE(TriangleTree().firstHit(Vec<3>::Zero(), Vec<3>::UnitX()).triangle, -1);
-    QCOMPARE(TriangleTree(Points<3>(3, 0), {}).firstHit(Vec<3>::Zero(), Vec<3>::UnitX()).triangle, -1);
+    QCOMPARE(TriangleTree().firstHit(Vec3::Zero(), Vec3::UnitX()).triangle, -1);
+    QCOMPARE(TriangleTree(Points3(3, 0), {}).firstHit(Vec3::Zero(), Vec3::UnitX()).triangle, -1);
     Shape shape = sphere(8);
     shape.points.col(40).setConstant(std::nan(""));  // the rest can still be met
     const TriangleTree tree(shape.points, shape.triangles);
-    QVERIFY(tree.firstHit({0.1, 0.2, 5}, -Vec<3>::UnitZ()).triangle >= 0);
+    QVERIFY(tree.firstHit({0.1, 0.2, 5}, -Vec3::UnitZ()).triangle >= 0);
 }
 
 QTEST_APPLESS_MAIN(TestTriangleTree)

@@ -138,12 +138,12 @@ void theyAreNowhereNear() {
 void surfacesRideOnCells() {
     const auto mesh = withSpares<3>(samples::strip<3>(2, 1, 2), 0);
     const Embedding<3> embedding(mesh, mesh.points);
-    Points<3> pose = 2 * mesh.points;
+    Points3 pose = 2 * mesh.points;
     pose.col(0).setConstant(77);  // nothing moves a spare vertex with the shape
-    const Points<3> carried = embedding.carry(mesh, pose);
+    const Points3 carried = embedding.carry(mesh, pose);
     QVERIFY(carried.col(0) == pose.col(1));
     QCOMPARE(embedding.outside(), 1);
-    Points<3> nowhere = mesh.points;
+    Points3 nowhere = mesh.points;
     nowhere(0, 0) = std::nan("");
     QVERIFY_THROWS_EXCEPTION(InputError, Embedding<3>(mesh, nowhere));
     const SimplicialMesh<3> empty;

@@ -152,7 +152,7 @@ void TestVolumeMesher::splitSurfaceKeepsLabels() {
     QVERIFY(result.boundary.size() > surface.triangles.size());
     QVERIFY(result.mesh.points.leftCols(kBox.vertexCount()) == kBox.points);
     std::map<int, double> areas;
-    const auto area = [](const Points<3>& points, const std::array<int, 3>& t) {
+    const auto area = [](const Points3& points, const std::array<int, 3>& t) {
         return (points.col(t[1]) - points.col(t[0])).cross(points.col(t[2]) - points.col(t[0])).norm() / 2;
     };
     for (std::size_t f = 0; f < result.boundary.size(); ++f)
@@ -166,17 +166,17 @@ void TestVolumeMesher::splitSurfaceKeepsLabels() {
 /// Inside, where cells are made and not kept, each is as small as its place asks for; elsewhere they are not.
 void TestVolumeMesher::sizeFieldIsFollowed() {
     const Surface surface = box({0, 0, 0}, {2, 2, 2}, 8);
-    const Vec<3> centre(1, 1, 1);
+    const Vec3 centre(1, 1, 1);
     VolumeMeshOptions options;
     options.maxVolume = 0.01;
     options.sizes =
-        sampleSizes(surface, [&](const Vec<3>& p) { return (p - centre).norm() < 0.5 ? 0.4 : 1.0; });
+        sampleSizes(surface, [&](const Vec3& p) { return (p - centre).norm() < 0.5 ? 0.4 : 1.0; });
     const VolumeMesh result = meshVolume(surface, options);
     QVERIFY(std::abs(volumeOf(result.mesh) - 8) < 1e-12);
     double outer = 0;
     int inner = 0, tooLarge = 0;
     for (const auto& cell : result.mesh.cells) {
-        Vec<3> middle = Vec<3>::Zero();
+        Vec3 middle = Vec3::Zero();
         for (int v : cell) middle += result.mesh.points.col(v) / 4;
         const double volume = cellMeasure<3>(result.mesh.points, cell), away = (middle - centre).norm();
         QVERIFY(volume <= 0.01 * (1 + 1e-9));
@@ -264,7 +264,7 @@ void TestVolumeMesher::badSurfaces_data() {
     QTest::newRow("flat") << changed([](Surface& s) { s.points.row(2).setZero(); }) << "one plane";
     QTest::newRow("moebius") << moebius(24) << "open edges";
     QTest::newRow("pushed through itself")
-        << changed([](Surface& s) { s.points.col(0) = Vec<3>(3, 3, 3); }) << "intersect";
+        << changed([](Surface& s) { s.points.col(0) = Vec3(3, 3, 3); }) << "intersect";
 }
 
 void TestVolumeMesher::badSurfaces() {
@@ -318,8 +318,8 @@ struct Taken {
 Surface plateWithout(const std::vector<Taken>& taken) {
     Surface plate = box({0, 0, 0}, {7, 7, 1}, 7);
     std::erase_if(plate.triangles, [&](const std::array<int, 3>& t) {
-        const Vec<3> a = plate.points.col(t[0]), b = plate.points.col(t[1]), c = plate.points.col(t[2]);
-        const Vec<3> middle = (a + b + c) / 3;
+        const Vec3 a = plate.points.col(t[0]), b = plate.points.col(t[1]), c = plate.points.col(t[2]);
+        const Vec3 middle = (a + b + c) / 3;
         if (middle.z() < 1 - 1e-9) return false;
         const double x = std::floor(middle.x()), y = std::floor(middle.y());
         const bool below = middle.y() - y < middle.x() - x;
@@ -349,7 +349,7 @@ void TestVolumeMesher::holesThatMeet_data() {
     hanging.points.conservativeResize(Eigen::NoChange, hanging.vertexCount() + 2);
     hanging.points.rightCols(2) << 3.5, 3.2, 3.2, 3.5, 3, 3;
     for (int v = 0; v < hanging.vertexCount(); ++v)
-        if (hanging.points.col(v) == Vec<3>(3, 3, 1))
+        if (hanging.points.col(v) == Vec3(3, 3, 1))
             hanging.triangles.push_back({v, hanging.vertexCount() - 2, hanging.vertexCount() - 1});
     QTest::newRow("a hanging triangle") << hanging << 1;
 }
@@ -409,7 +409,7 @@ void TestVolumeMesher::cancelEnds() {
 /// Four hundred walls through one line: each crosses all others.
 void TestVolumeMesher::checkOfAHeapEnds() {
     constexpr int kWalls = 400;
-    Surface heap{Points<3>(3, 3 * kWalls), {}, {}};
+    Surface heap{Points3(3, 3 * kWalls), {}, {}};
     for (int i = 0; i < kWalls; ++i) {
         const double angle = std::numbers::pi * i / kWalls, x = std::cos(angle), y = std::sin(angle);
         heap.points.middleCols<3>(3 * i) << -x, x, x, -y, y, y, -2, -2, 2;

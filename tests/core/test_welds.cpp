@@ -17,7 +17,7 @@ namespace {
 using Mesh = SimplicialMesh<2>;
 
 /// A body, [0, 3] × [0, 1], and over its right end a limb of the same size from `at` on, as two parts.
-Mesh bodyAndLimb(const Vec<2>& at, int along = 12, int across = 4) {
+Mesh bodyAndLimb(const Vec2& at, int along = 12, int across = 4) {
     const Mesh body = samples::strip<2>(9, 3, 3), limb = samples::strip<2>(along, across, 3);
     Mesh mesh;
     const int n = body.vertexCount(), m = limb.vertexCount();
@@ -34,7 +34,7 @@ Mesh bodyAndLimb(const Vec<2>& at, int along = 12, int across = 4) {
     return mesh;
 }
 
-Handle<2> handleAt(const char* name, const char* part, std::vector<Vec<2>> points) {
+Handle<2> handleAt(const char* name, const char* part, std::vector<Vec2> points) {
     Handle<2> handle;
     handle.name = name;
     handle.part = part;
@@ -43,7 +43,7 @@ Handle<2> handleAt(const char* name, const char* part, std::vector<Vec<2>> point
 }
 
 /// A weld of both parts at a place, which is in both.
-Weld weldAt(const Mesh& mesh, const Vec<2>& place) {
+Weld weldAt(const Mesh& mesh, const Vec2& place) {
     Handle<2> at = handleAt("", "body", {place});
     Weld weld{Constraints<2>(mesh, {at}).points().front().terms};
     at.part = "limb";
@@ -52,10 +52,10 @@ Weld weldAt(const Mesh& mesh, const Vec<2>& place) {
     return weld;
 }
 
-double gapOf(const Mesh& mesh, const Points<2>& pose) {
+double gapOf(const Mesh& mesh, const Points2& pose) {
     double gap = 0;
     for (const Weld& weld : mesh.welds) {
-        Vec<2> difference = Vec<2>::Zero();
+        Vec2 difference = Vec2::Zero();
         for (const auto& [v, weight] : weld.terms) difference += weight * pose.col(v);
         gap = std::max(gap, difference.norm());
     }
@@ -66,7 +66,7 @@ std::shared_ptr<const Material<2>> materialOf(const Mesh& mesh, double phi) {
     return std::make_shared<const Material<2>>(Material<2>::uniform(mesh.cellCount(), phi));
 }
 
-const Vec<2> kAt(2.45, 0.1), kJoint(2.7, 0.55), kHand(5.3, 0.7);
+const Vec2 kAt(2.45, 0.1), kJoint(2.7, 0.55), kHand(5.3, 0.7);
 
 Motion<2> turnedBy(double angle) {
     Rotate<2> rotate;
@@ -115,7 +115,7 @@ class TestWelds : public QObject {
         double gap = 0;
         for (int k = 1; k < 10; ++k) watch.frames.push_back(0.1 * k);
         watch.onFrame = [&](const State<2>& state) { gap = std::max(gap, gapOf(mesh, state.points)); };
-        const Points<2> pose = samples::runTo(deformer, 1, watch);
+        const Points2 pose = samples::runTo(deformer, 1, watch);
         QVERIFY(gap <= 1e-12 * 5);  // of a shape that is five wide, at frames between the steps, too
         QVERIFY(gapOf(mesh, pose) <= 1e-12 * 5);
         const MeshPart& limb = mesh.parts[1];
@@ -134,10 +134,10 @@ class TestWelds : public QObject {
         body.motions = {Motion<2>{Translate<2>{{0, 2}}}};
         Deformer<2> deformer(std::make_shared<const Mesh>(mesh), materialOf(mesh, phi::kMetr), {body},
                              tight(SolverKind::Direct));
-        const Points<2> pose = samples::runTo(deformer, 1);
+        const Points2 pose = samples::runTo(deformer, 1);
         QVERIFY(gapOf(mesh, pose) <= 1e-12 * 5);
-        const Vec<2> joint = kJoint + Vec<2>(0, 2);
-        const auto nearest = [&](const Points<2>& points) {
+        const Vec2 joint = kJoint + Vec2(0, 2);
+        const auto nearest = [&](const Points2& points) {
             return (points.rightCols(mesh.parts[1].endVertex - mesh.parts[1].firstVertex).colwise() -
                     (&points == &pose ? joint : kJoint))
                 .colwise()
@@ -185,7 +185,7 @@ class TestWelds : public QObject {
         for (Cell<2>& cell : one.cells)
             for (int& v : cell) v = of[static_cast<std::size_t>(v)];
         const std::vector<ConstraintRow> rows{{{{0, 1.0}}}, {{{9, 1.0}}}, {{{mesh.vertexCount() - 1, 1.0}}}};
-        Points<2> prescribed = Points<2>::Zero(2, 3), v, w;
+        Points2 prescribed = Points2::Zero(2, 3), v, w;
         prescribed.col(2) << 0.3, 0.8;
         for (auto [shape, field] : {std::pair{&mesh, &v}, {&one, &w}}) {
             VelocitySolver<2> solver(std::make_shared<const Mesh>(*shape),

@@ -131,7 +131,7 @@ void TestOpenCl::backEndsAgree() {
 
 void TestOpenCl::firstInvertedCellIsFound() {
     Pair<2> pair(false, SmoothingKind::Invariant, 40);
-    Points<2> shape = pair.rest.points;
+    Points2 shape = pair.rest.points;
     const auto& cell = pair.rest.cells[2500];
     shape.col(cell[0]) += 3 * (shape.col(cell[1]) - shape.col(cell[0]));
     const int found = pair.cpu->setShape(shape);
@@ -206,7 +206,7 @@ void TestOpenCl::failingDeviceIsReplaced() {
         std::vector<double> a(static_cast<std::size_t>(pair.plan->blockCount()) * 4), b(a.size());
         failsafe->assemble(a);
         reference->assemble(b);
-        Points<2> x, y;
+        Points2 x, y;
         failsafe->apply(pair.shape, x);
         reference->apply(pair.shape, y);
         const double scale = *std::max_element(b.begin(), b.end());

@@ -95,7 +95,7 @@ void TestOpenClDistortion::rigidMotionsHaveNone() {
 void TestOpenClDistortion::repeats() {
     const SimplicialMesh<3> rest = sample<3>();
     std::mt19937 random(3);
-    const Points<3> pose = rest.points + 0.02 * randomField<3>(random, rest.vertexCount());
+    const Points3 pose = rest.points + 0.02 * randomField<3>(random, rest.vertexCount());
     OpenClDistortion<3> once(device(), rest), again(device(), rest);
     const Distortion a = once.of(pose), b = again.of(pose);
     QVERIFY(a.angle == b.angle && a.metric == b.metric && a.totalAngle == b.totalAngle);

@@ -313,9 +313,9 @@ void TestOpenClStages::notANumberIsSeen() {
     OpenClStages<2> onDevice(cl, kVertices);
     const auto host = makeHostStages<2>();
     for (int where : {0, 700, kVertices - 1}) {
-        Points<2> k = Points<2>::Zero(2, kVertices);
+        Points2 k = Points2::Zero(2, kVertices);
         k(1, where) = std::nan("");
-        const std::vector<WeightedField<2>> terms{{1, std::make_shared<const Points<2>>(k)}};
+        const std::vector<WeightedField<2>> terms{{1, std::make_shared<const Points2>(k)}};
         QVERIFY(std::isnan(host->maximum(terms)));
         QVERIFY(std::isnan(onDevice.maximum(terms)));
     }
@@ -397,7 +397,7 @@ void TestOpenClStages::aDeviceIsLostAnywhere() {
     IntegrationOptions options;
     options.method = Method(method);
     if (!isAdaptive(options.method)) options.steps = 4;
-    const Points<2> expected = bent<2>(options, makeCpuBackEnd<2>);
+    const Points2 expected = bent<2>(options, makeCpuBackEnd<2>);
     for (int calls = 0; calls < 100; calls += calls < 40 ? 1 : 7) {
         int notices = 0;
         const auto factory = [&](std::shared_ptr<const AssemblyPlan<2>> plan, const SimplicialMesh<2>& rest,
@@ -407,7 +407,7 @@ void TestOpenClStages::aDeviceIsLostAnywhere() {
                                        makeOpenClBackEnd<2>(device(), plan, rest, material, threads), calls),
                                    makeCpu, [&](const std::string&) { ++notices; });
         };
-        const Points<2> result = bent<2>(options, factory);
+        const Points2 result = bent<2>(options, factory);
         QVERIFY2(samples::distance(result, expected) < 1e-9 * boundingBoxDiagonal<2>(expected),
                  qPrintable(QString("%1 calls: %2").arg(calls).arg(samples::distance(result, expected))));
         QCOMPARE(notices, 1);

@@ -31,12 +31,12 @@ class TestOpenClWarp : public QObject {
 
 namespace {
 
-const View kView{64, 48, Vec<2>::Zero(), 1};
+const View kView{64, 48, Vec2::Zero(), 1};
 
-Points<2> wave(const Points<2>& rest) {
-    Points<2> pose = rest;
+Points2 wave(const Points2& rest) {
+    Points2 pose = rest;
     for (Eigen::Index i = 0; i < rest.cols(); ++i)
-        pose.col(i) += 3 * Vec<2>(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
+        pose.col(i) += 3 * Vec2(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
     return pose;
 }
 
@@ -45,7 +45,7 @@ MakeCellPainter devicePainter() {
                         [](const std::string& text) { qWarning("%s", text.c_str()); });
 }
 
-Image onDevice(const Image& source, const SimplicialMesh<2>& mesh, const Points<2>& pose, WarpOptions options,
+Image onDevice(const Image& source, const SimplicialMesh<2>& mesh, const Points2& pose, WarpOptions options,
                const View& view = kView) {
     options.makePainter = devicePainter();
     const WarpedPicture picture(source, mesh, pose, view, options);
@@ -105,7 +105,7 @@ void TestOpenClWarp::agreesWithTheProcessor() {
     const auto mesh = rectangle({0, 0}, {64, 48}, 7);
     WarpOptions options;
     options.filter = static_cast<Filter>(filter);
-    Points<2> pose = wave(mesh.points);
+    Points2 pose = wave(mesh.points);
     QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
     pose.row(0) *= 0.21;  // long ellipses, upper levels
     QVERIFY(agree(warpImage(source, mesh, pose, kView, options), onDevice(source, mesh, pose, options)));
@@ -128,7 +128,7 @@ void TestOpenClWarp::outsideAndFoldsAreTheProcessors() {
     QFETCH(int, outside);
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {64, 48}, 7);
-    Points<2> pose = wave(mesh.points);
+    Points2 pose = wave(mesh.points);
     for (Eigen::Index i = 0; i < pose.cols(); ++i)
         if (pose(0, i) > 40) pose(0, i) = 80 - pose(0, i);  // the right third folded back
     WarpOptions options;
@@ -161,8 +161,8 @@ void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices() {
     source.unassociated = true;
     source = converted(source, {source.type, channels, true, unassociated});
     const auto mesh = rectangle({0, 0}, {91, 37}, 24);
-    const Points<2> pose = rolledUp(mesh.points, {91, 37});
-    const View view{160, 160, Vec<2>::Zero(), 1};
+    const Points2 pose = rolledUp(mesh.points, {91, 37});
+    const View view{160, 160, Vec2::Zero(), 1};
     const Pyramid pyramid(std::make_shared<const Image>(source));
     QTemporaryDir folder;
     const std::string path = folder.filePath("rolled." + extension).toStdString();
@@ -179,7 +179,7 @@ void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices() {
 void TestOpenClWarp::stripsAreTheWhole() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {64, 48}, 7);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     WarpOptions options;
     const Image whole = onDevice(source, mesh, pose, options);
     options.makePainter = devicePainter();
@@ -206,7 +206,7 @@ void TestOpenClWarp::thePictureGoesToTheDeviceOnce() {
     options.makePainter = [&](const WarpJob& job) { return OpenClPicture::painter(picture, job); };
     const Pyramid pyramid(std::make_shared<const Image>(source));
     const auto frame = [&](double amount) {
-        const Points<2> pose = mesh.points + amount * (wave(mesh.points) - mesh.points);
+        const Points2 pose = mesh.points + amount * (wave(mesh.points) - mesh.points);
         const std::size_t before = picture->copied().toDevice;
         const Image image = warpImage(pyramid, mesh, pose, kView, options);
         if (!agree(warpImage(pyramid, mesh, pose, kView, onProcessor), image))
@@ -221,7 +221,7 @@ void TestOpenClWarp::thePictureGoesToTheDeviceOnce() {
     QCOMPARE(frame(0.2), texels + perFrame);
     QCOMPARE(frame(0.4), perFrame);
     QCOMPARE(frame(0.5), perFrame);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     QVERIFY(agree(warpImage(other, mesh, pose, kView, onProcessor),
                   warpImage(other, mesh, pose, kView, options)));
     QCOMPARE(frame(0.6), texels + perFrame);
@@ -246,7 +246,7 @@ void TestOpenClWarp::failingDeviceIsReplaced() {
     };
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {64, 48}, 7);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     WarpOptions options;
     const Image expected = warpImage(source, mesh, pose, kView, options);
     options.makePainter = [](const WarpJob&) { return std::make_unique<Lost>(); };

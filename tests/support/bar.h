@@ -14,7 +14,7 @@ struct Bar<2> {
     static constexpr double kUnit = 50;  // pixels of the picture
     static bool open(SolidFixture& f) { return f.openPicture(); }
     static ShapeCanvas& canvas(SolidFixture& f) { return f.window().canvas(); }
-    static Vec<2> place(double u, double v) { return {120 + kUnit * u, 80 + 40 * v}; }
+    static Vec2 place(double u, double v) { return {120 + kUnit * u, 80 + 40 * v}; }
 };
 
 template <>
@@ -22,7 +22,7 @@ struct Bar<3> {
     static constexpr double kUnit = 1;
     static bool open(SolidFixture& f) { return f.open(600); }
     static SolidCanvas& canvas(SolidFixture& f) { return f.canvas(); }
-    static Vec<3> place(double u, double v) { return {u, -0.5, v}; }
+    static Vec3 place(double u, double v) { return {u, -0.5, v}; }
 };
 
 inline void dimensions() {

@@ -28,8 +28,7 @@ class PaintTest : public QObject {
         brush().set(next);
     }
     template <int Dim>
-    void stroke(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {},
-                bool release = true) {
+    void stroke(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers = {}, bool release = true) {
         auto& canvas = Bar<Dim>::canvas(*m_f);
         const QPoint a = canvas.toWidget(Bar<Dim>::place(from.x(), from.y())).toPoint();
         const QPoint b = canvas.toWidget(Bar<Dim>::place(to.x(), to.y())).toPoint();

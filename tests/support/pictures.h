@@ -47,12 +47,12 @@ T valueAt(const Image& image, int x, int y, int channel) {
 }
 
 /// The rectangle from low to high in n × n squares of two triangles.
-inline SimplicialMesh<2> rectangle(const Vec<2>& low, const Vec<2>& high, int n) {
+inline SimplicialMesh<2> rectangle(const Vec2& low, const Vec2& high, int n) {
     SimplicialMesh<2> mesh;
     mesh.points.resize(2, (n + 1) * (n + 1));
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
-            mesh.points.col(j * (n + 1) + i) = low + (high - low).cwiseProduct(Vec<2>(i, j)) / n;
+            mesh.points.col(j * (n + 1) + i) = low + (high - low).cwiseProduct(Vec2(i, j)) / n;
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             const int a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
@@ -76,11 +76,11 @@ inline SimplicialMesh<2> joined(SimplicialMesh<2> mesh, const SimplicialMesh<2>&
 
 /// A strip bent into 1.3 turns of a ring about (80, 80), from radius 40 to 64: it covers itself for 0.3 of
 /// one.
-inline Points<2> rolledUp(const Points<2>& rest, const Vec<2>& size) {
-    Points<2> pose = rest;
+inline Points2 rolledUp(const Points2& rest, const Vec2& size) {
+    Points2 pose = rest;
     for (Eigen::Index i = 0; i < rest.cols(); ++i) {
         const double angle = 2 * M_PI * 1.3 * rest(0, i) / size.x(), radius = 64 - 24 * rest(1, i) / size.y();
-        pose.col(i) = Vec<2>(80 + radius * std::cos(angle), 80 + radius * std::sin(angle));
+        pose.col(i) = Vec2(80 + radius * std::cos(angle), 80 + radius * std::sin(angle));
     }
     return pose;
 }

@@ -47,8 +47,8 @@ void addPin(Document& document, const Vec<Dim>& rest, const std::string& name) {
     document.change(QStringLiteral("Pin"), withPin<Dim>(*document.project(), rest, name));
 }
 
-template Project withPin<2>(const Project&, const Vec<2>&, const std::string&);
-template void addPin<2>(Document&, const Vec<2>&, const std::string&);
-template void addPin<3>(Document&, const Vec<3>&, const std::string&);
+template Project withPin<2>(const Project&, const Vec2&, const std::string&);
+template void addPin<2>(Document&, const Vec2&, const std::string&);
+template void addPin<3>(Document&, const Vec3&, const std::string&);
 
 }  // namespace wend::test

@@ -113,12 +113,12 @@ class SolidFixture {
     const Project& project() { return *session().document().project(); }
     const Domain& domain() { return session().document().domain(); }
     const std::vector<Pin>& handles() { return session().document().design().handles; }
-    Vec<3> pin(int handle) {
+    Vec3 pin(int handle) {
         for (const auto& view : session().gestures().pins())
             if (view.handle == handle) return view.centre;
-        return Vec<3>::Zero();
+        return Vec3::Zero();
     }
-    QPoint at(const Vec<3>& p) { return canvas().toWidget(p).toPoint(); }
+    QPoint at(const Vec3& p) { return canvas().toWidget(p).toPoint(); }
 
     void press(const QPoint& from, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mouseMove(&canvas(), from);

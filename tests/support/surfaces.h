@@ -8,13 +8,13 @@
 namespace wend::test {
 
 /// An axis-aligned box with n × n squares a side (2 n² triangles), outward oriented.
-inline Surface box(const Vec<3>& low, const Vec<3>& high, int n = 1) {
+inline Surface box(const Vec3& low, const Vec3& high, int n = 1) {
     Surface surface;
     std::map<std::array<int, 3>, int> ids;
-    std::vector<Vec<3>> points;
+    std::vector<Vec3> points;
     const auto vertex = [&](std::array<int, 3> at) {
         const auto [entry, isNew] = ids.try_emplace(at, static_cast<int>(points.size()));
-        const Vec<3> t(at[0] / double(n), at[1] / double(n), at[2] / double(n));
+        const Vec3 t(at[0] / double(n), at[1] / double(n), at[2] / double(n));
         if (isNew) points.push_back(low + t.cwiseProduct(high - low));
         return entry->second;
     };
@@ -62,7 +62,7 @@ inline Surface moebius(int n) {
         const double u = 2 * M_PI * i / n;
         for (int side = 0; side < 2; ++side) {
             const double w = 0.3 * (2 * side - 1), r = 1 + w * std::cos(u / 2);
-            band.points.col(2 * i + side) = Vec<3>(r * std::cos(u), r * std::sin(u), w * std::sin(u / 2));
+            band.points.col(2 * i + side) = Vec3(r * std::cos(u), r * std::sin(u), w * std::sin(u / 2));
         }
     }
     for (int i = 0; i < n; ++i) {
@@ -77,8 +77,8 @@ inline Surface moebius(int n) {
 /// below y = 0.2.
 inline Surface fork(double slot) {
     const double right = 0.4 + slot;
-    const std::vector<Vec<2>> profile{
-        {0, 0}, {right, 0}, {right, 1}, {right - 0.2, 1}, {right - 0.2, 0.2}, {0.2, 0.2}, {0.2, 1}, {0, 1}};
+    const std::vector<Vec2> profile{{0, 0},     {right, 0}, {right, 1}, {right - 0.2, 1}, {right - 0.2, 0.2},
+                                    {0.2, 0.2}, {0.2, 1},   {0, 1}};
     const int n = static_cast<int>(profile.size());
     Surface surface;
     surface.points.resize(3, 2 * n);

@@ -7,21 +7,21 @@
 
 namespace wend::test {
 
-const View kView{64, 48, Vec<2>::Zero(), 1};
+const View kView{64, 48, Vec2::Zero(), 1};
 
 inline SimplicialMesh<2> wholePicture(int n = 7) {
     return rectangle({0, 0}, {64, 48}, n);
 }
 
 /// A smooth map without folds that moves the border too.
-inline Points<2> wave(const Points<2>& rest, double amount = 3) {
-    Points<2> pose = rest;
+inline Points2 wave(const Points2& rest, double amount = 3) {
+    Points2 pose = rest;
     for (Eigen::Index i = 0; i < rest.cols(); ++i)
-        pose.col(i) += amount * Vec<2>(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
+        pose.col(i) += amount * Vec2(std::sin(rest(1, i) / 9.0), std::cos(rest(0, i) / 7.0));
     return pose;
 }
 
-inline double area(const SimplicialMesh<2>& mesh, const Points<2>& pose) {
+inline double area(const SimplicialMesh<2>& mesh, const Points2& pose) {
     double sum = 0;
     for (const auto& cell : mesh.cells) sum += std::abs(cellMeasure<2>(pose, cell));
     return sum;

@@ -91,7 +91,7 @@ Alpha without(const Alpha& a, const Alpha& b) {
     return [=](double x, double y) { return std::min(a(x, y), 1 - b(x, y)); };
 }
 
-double signedArea(const std::vector<Vec<2>>& loop) {
+double signedArea(const std::vector<Vec2>& loop) {
     double twice = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const auto &p = loop[k], &q = loop[(k + 1) % loop.size()];
@@ -119,7 +119,7 @@ QString errorOf(const std::function<void()>& f) {
     return {};
 }
 
-double maxRadiusError(const Outline& outline, const Vec<2>& centre, double radius) {
+double maxRadiusError(const Outline& outline, const Vec2& centre, double radius) {
     double worst = 0;
     for (const auto& loop : outline.loops)
         for (const auto& p : loop) worst = std::max(worst, std::abs((p - centre).norm() - radius));
@@ -210,7 +210,7 @@ class TestOutline : public QObject {
     /// With the defaults every pixel of any alpha is inside.
     void softEdgesAreInside() {
         const auto outline = outlineFromAlpha(picture(200, 200, disc(100, 100, 60)));
-        for (const auto& p : outline.loops[0]) QVERIFY((p - Vec<2>(100, 100)).norm() > 60.5 + 0.7);
+        for (const auto& p : outline.loops[0]) QVERIFY((p - Vec2(100, 100)).norm() > 60.5 + 0.7);
         QVERIFY(outline.loops[0].size() < 40);
     }
 
@@ -220,8 +220,8 @@ class TestOutline : public QObject {
         const auto outline = outlineFromAlpha(picture(200, 200, disc(100, 100, 80)), options);
         const auto& loop = outline.loops[0];
         for (std::size_t k = 0; k < loop.size(); ++k) {
-            const Vec<2> middle = (loop[k] + loop[(k + 1) % loop.size()]) / 2;
-            QVERIFY((middle - Vec<2>(100, 100)).norm() > 80 - 0.75 - 0.05);
+            const Vec2 middle = (loop[k] + loop[(k + 1) % loop.size()]) / 2;
+            QVERIFY((middle - Vec2(100, 100)).norm() > 80 - 0.75 - 0.05);
         }
         QVERIFY(loop.size() < 60 && loop.size() > 15);
     }

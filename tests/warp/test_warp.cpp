@@ -95,7 +95,7 @@ void TestWarp::nothingIsCutWhereNothingHasMoved() {
     QFETCH(int, type);
     const Image source = randomPicture(64, 600, 4, static_cast<PixelType>(type), true);
     const auto mesh = joined(rectangle({4, 3.3}, {20.5, 590}, 3), rectangle({22.2, 3.3}, {40, 590}, 3));
-    const View view{64, 600, Vec<2>::Zero(), 1};
+    const View view{64, 600, Vec2::Zero(), 1};
     WarpOptions options;
     options.restMargin = 4;
     const Image still = warpImage(source, mesh, mesh.points, view, options);
@@ -104,7 +104,7 @@ void TestWarp::nothingIsCutWhereNothingHasMoved() {
         QVERIFY(std::memcmp(still.row(y), source.row(y), 40 * pixel) == 0);  // the gap, too
         for (std::size_t k = 46 * pixel; k < 64 * pixel; ++k) QVERIFY(still.row(y)[k] == std::byte(0));
     }
-    Points<2> moved = mesh.points;
+    Points2 moved = mesh.points;
     moved(0, 0) += 1e-9;
     const Image cut = warpImage(source, mesh, moved, view, options);
     QVERIFY(std::memcmp(cut.row(300), source.row(300), 40 * pixel) != 0);
@@ -119,13 +119,13 @@ void TestWarp::quarterTurnIsAnArrayRotation() {
     QFETCH(int, type);
     const Image source = randomPicture(48, 48, 3, static_cast<PixelType>(type), false);
     const auto mesh = rectangle({0, 0}, {48, 48}, 5);
-    Points<2> pose = mesh.points;  // x towards y: (x, y) → (48 − y, x)
+    Points2 pose = mesh.points;  // x towards y: (x, y) → (48 − y, x)
     pose.row(0) = 48 - mesh.points.row(1).array();
     pose.row(1) = mesh.points.row(0);
     for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
         WarpOptions options;
         options.filter = filter;
-        const Image turned = warpImage(source, mesh, pose, {48, 48, Vec<2>::Zero(), 1}, options);
+        const Image turned = warpImage(source, mesh, pose, {48, 48, Vec2::Zero(), 1}, options);
         QCOMPARE(turned.channels, 3);
         withPixelType(source.type, [&](auto t) {
             using T = decltype(t);
@@ -146,7 +146,7 @@ void TestWarp::quarterTurnIsAnArrayRotation() {
 void TestWarp::noSeamBetweenCells() {
     const Image source = plainPicture(64, 48, {200, 100, 50, 255});
     const auto mesh = wholePicture(12);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
         WarpOptions options;
         options.filter = filter;
@@ -196,7 +196,7 @@ void TestWarp::samplesAreWhatSpansCover() {
 void TestWarp::coverageIsTheArea() {
     const Image source = plainPicture(64, 48, {255, 255, 255, 255});
     const auto mesh = rectangle({12, 12}, {50, 36}, 9);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     const Image warped = warpImage(source, mesh, pose, kView);
     QVERIFY(std::abs(alphaSum(warped) / area(mesh, pose) - 1) < 1e-3);
 }
@@ -223,7 +223,7 @@ void TestWarp::slantedEdgeIsAntialiased() {
 void TestWarp::halfPixelShiftIsTheMean() {
     const Image source = randomPicture(64, 48, 1, PixelType::UInt16, false);
     const auto mesh = wholePicture();
-    const Points<2> pose = mesh.points.colwise() + Vec<2>(0.5, 0);
+    const Points2 pose = mesh.points.colwise() + Vec2(0.5, 0);
     WarpOptions options;
     options.filter = Filter::Bilinear;
     const Image warped = warpImage(source, mesh, pose, kView, options);
@@ -243,10 +243,10 @@ void TestWarp::nearerCellsHideOthers() {
     const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
     const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 2));
     const int count = left.vertexCount(), cells = left.cellCount();
-    Points<2> pose = mesh.points;
+    Points2 pose = mesh.points;
     pose.rightCols(count).row(0).array() -= 20;
     WarpOptions options;
-    const View view{20, 20, Vec<2>::Zero(), 1};
+    const View view{20, 20, Vec2::Zero(), 1};
     QCOMPARE(valueAt<std::uint8_t>(warpImage(source, mesh, pose, view, options), 10, 10, 0),
              std::uint8_t(250));
     options.depth.assign(static_cast<std::size_t>(2 * cells), 0.0F);
@@ -265,7 +265,7 @@ void TestWarp::partsInFrontLeaveNoSlits() {
     for (int c = 0; c < mesh.cellCount(); ++c) orders.depth.push_back(static_cast<float>(c * 7 % 5 - 2));
     QVERIFY(warpImage(source, mesh, mesh.points, kView, orders).data == source.data);
     const Image plain = plainPicture(64, 48, {10, 200, 30, 140});
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     const Image one = warpImage(plain, mesh, pose, kView),
                 other = warpImage(plain, mesh, pose, kView, orders);
     for (std::size_t i = 0; i < one.data.size(); ++i)
@@ -277,10 +277,10 @@ void TestWarp::partsInFrontLeaveNoSlits() {
 void TestWarp::stMapTellsTheNearest() {
     const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
     const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 3));
-    Points<2> pose = mesh.points;
+    Points2 pose = mesh.points;
     pose.rightCols(mesh.vertexCount() - left.vertexCount()).row(0).array() -=
         15.25;  // now from 4.75 to 24.75
-    const View view{30, 20, Vec<2>::Zero(), 1};
+    const View view{30, 20, Vec2::Zero(), 1};
     for (const float front : {0.0F, 1.0F}) {  // of the left square
         std::vector<float> depth(mesh.cells.size(), 0.5F);
         std::fill_n(depth.begin(), left.cellCount(), front);
@@ -314,7 +314,7 @@ void TestWarp::partsAreLaidOverOneAnother() {
     QFETCH(int, channels);
     QFETCH(bool, unassociated);
     const auto mesh = joined(rectangle({24, 4}, {36, 16}, 3), rectangle({4, 4}, {16, 16}, 2));
-    Points<2> pose = mesh.points;
+    Points2 pose = mesh.points;
     for (Eigen::Index i = 0; i < pose.cols(); ++i) pose(0, i) += mesh.points(0, i) < 20 ? 26.25 : 0;
     const double tolerance = type == 0 ? 0.6 / 255 : type == 1 ? 0.6 / 65535 : type == 2 ? 1e-3 : 1e-6;
     for (const double opacity : {0.0, 0.5, 1.0}) {
@@ -345,7 +345,7 @@ void TestWarp::partsAreLaidOverOneAnother() {
         for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
             WarpOptions options;
             options.filter = filter;
-            const Image warped = warpImage(source, mesh, pose, {48, 20, Vec<2>::Zero(), 1}, options);
+            const Image warped = warpImage(source, mesh, pose, {48, 20, Vec2::Zero(), 1}, options);
             std::vector<float> found(48 * static_cast<std::size_t>(channels));
             loadRow(warped, 10, found.data());
             const std::pair<int, Eigen::ArrayXd> places[] = {
@@ -375,15 +375,15 @@ void TestWarp::partsAreLaidOverOneAnother() {
 void TestWarp::sheetOverItselfHasNoHairlines() {
     const Image source = plainPicture(64, 48, {200, 100, 50, 128});
     const auto mesh = rectangle({0, 0}, {64, 48}, 48);
-    const Points<2> pose = rolledUp(mesh.points, {64, 48});
+    const Points2 pose = rolledUp(mesh.points, {64, 48});
     for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
         WarpOptions options;
         options.filter = filter;
-        const Image warped = warpImage(source, mesh, pose, {160, 160, Vec<2>::Zero(), 1}, options);
+        const Image warped = warpImage(source, mesh, pose, {160, 160, Vec2::Zero(), 1}, options);
         int seen[3] = {0, 0, 0};
         for (int y = 0; y < 160; ++y)
             for (int x = 0; x < 160; ++x) {
-                const Vec<2> p = Vec<2>(x + 0.5, y + 0.5) - Vec<2>(80, 80);
+                const Vec2 p = Vec2(x + 0.5, y + 0.5) - Vec2(80, 80);
                 const double radius = p.norm(),
                              turn = std::remainder(std::atan2(p.y(), p.x()) / (2 * M_PI) - 0.5, 1) + 0.5;
                 const double near = 1.5 / (2 * M_PI * radius);
@@ -421,7 +421,7 @@ void TestWarp::outsideModes() {
     options.outside = Outside::Original;
     QVERIFY(warpImage(source, mesh, mesh.points, kView, options).data == source.data);
     options.outside = Outside::Clamp;
-    const Image clamped = warpImage(source, mesh, mesh.points, {8, 8, Vec<2>(-20, -20), 1}, options);
+    const Image clamped = warpImage(source, mesh, mesh.points, {8, 8, Vec2(-20, -20), 1}, options);
     for (int c = 0; c < 4; ++c)
         QCOMPARE(valueAt<std::uint8_t>(clamped, 3, 3, c), valueAt<std::uint8_t>(source, 0, 0, c));
 }
@@ -466,7 +466,7 @@ void TestWarp::greyPicturesTakeColours() {
 void TestWarp::pictureWithoutAlphaGetsOneWhereNeeded() {
     const Image source = randomPicture(64, 48, 3, PixelType::UInt8, false);
     const auto mesh = wholePicture();
-    const Image warped = warpImage(source, mesh, mesh.points.colwise() + Vec<2>(10, 0), kView);
+    const Image warped = warpImage(source, mesh, mesh.points.colwise() + Vec2(10, 0), kView);
     QCOMPARE(warped.channels, 4);
     QVERIFY(warped.alpha);
     QCOMPARE(valueAt<std::uint8_t>(warped, 3, 20, 3), std::uint8_t(0));
@@ -479,7 +479,7 @@ void TestWarp::planMadeBeforeChangesNothing() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
     const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 3));
-    Points<2> pose = mesh.points;
+    Points2 pose = mesh.points;
     pose.rightCols(pose.cols() - left.vertexCount()).row(0).array() -= 13.3;
     for (const float front : {0.0F, 1.0F}) {
         WarpOptions fresh;
@@ -496,11 +496,11 @@ void TestWarp::planMadeBeforeChangesNothing() {
 void TestWarp::threadsDoNotMatter() {
     const Image source = randomPicture(300, 200, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({10, 10}, {290, 190}, 60);  // more cells than one thread takes at a time
-    const Points<2> pose = wave(mesh.points, 6);
+    const Points2 pose = wave(mesh.points, 6);
     WarpOptions one, four;
     one.threads = 1;
     four.threads = 4;
-    const View view{300, 200, Vec<2>::Zero(), 1};
+    const View view{300, 200, Vec2::Zero(), 1};
     onEveryTarget([&](SimdTarget) {
         const Image alone = warpImage(source, mesh, pose, view, one);
         QVERIFY(alone.data == warpImage(source, mesh, pose, view, four).data);
@@ -511,9 +511,9 @@ void TestWarp::threadsDoNotMatter() {
 void TestWarp::viewIsACropOfTheExport() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({5, 5}, {60, 44}, 9);
-    const Points<2> pose = wave(mesh.points);
+    const Points2 pose = wave(mesh.points);
     const Image whole = warpImage(source, mesh, pose, kView);
-    const Image crop = warpImage(source, mesh, pose, {30, 20, Vec<2>(16, 8), 1});
+    const Image crop = warpImage(source, mesh, pose, {30, 20, Vec2(16, 8), 1});
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 30; ++x)
             for (int c = 0; c < 4; ++c)
@@ -534,7 +534,7 @@ void TestWarp::stMapOfIdentity() {
 
 void TestWarp::stMapForwardAndInverse() {
     const auto mesh = rectangle({4, 4}, {60, 44}, 40);
-    const Points<2> pose = wave(mesh.points, 1.5);
+    const Points2 pose = wave(mesh.points, 1.5);
     const Image forward = stMap(mesh, pose, kView, 64, 48),
                 inverse = stMap(mesh, pose, kView, 64, 48, {}, true);
     int seen = 0;
@@ -564,7 +564,7 @@ void TestWarp::stMapForwardAndInverse() {
 void TestWarp::errorsReachTheCaller() {
     const Image source = randomPicture(64, 512, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {64, 512}, 4);
-    const View view{64, 512, Vec<2>::Zero(), 1};
+    const View view{64, 512, Vec2::Zero(), 1};
     for (int threads : {1, 4}) {
         WarpOptions options;
         options.threads = threads;
@@ -575,7 +575,7 @@ void TestWarp::errorsReachTheCaller() {
 
 void TestWarp::badShapeIsAnError() {
     const auto mesh = wholePicture();
-    Points<2> pose = mesh.points;
+    Points2 pose = mesh.points;
     pose(0, 3) = std::nan("");
     QVERIFY_THROWS_EXCEPTION(InputError,
                              warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView));
@@ -621,7 +621,7 @@ void TestWarp::targetsChangeRoundingOnly() {
     QFETCH(int, channels);
     const Image source = randomPicture(64, 48, channels, static_cast<PixelType>(type), channels % 2 == 0);
     const auto mesh = wholePicture();
-    Points<2> pose = wave(mesh.points);
+    Points2 pose = wave(mesh.points);
     pose.row(0) *= 0.4;  // ellipses of every length
     for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa}) {
         WarpOptions options;
@@ -644,8 +644,8 @@ void TestWarp::exportIsTheWarp() {
     QTemporaryDir folder;
     const Image source = randomPicture(40, 600, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {40, 600}, 9);
-    const View view{44, 610, Vec<2>(-2, -5), 1};
-    const Points<2> pose = wave(mesh.points, 1);
+    const View view{44, 610, Vec2(-2, -5), 1};
+    const Points2 pose = wave(mesh.points, 1);
     const std::string whole = folder.filePath("whole." + extension).toStdString(),
                       strips = folder.filePath("strips." + extension).toStdString();
     writeImage(whole, warpImage(source, mesh, pose, view));
@@ -670,7 +670,7 @@ void TestWarp::stoppedExportLeavesNothing() {
     for (const char* name : {"a.png", "a.tif", "a.exr", "a.jpg", "a.webp"}) {
         stop = {};
         options.stop = stop.get_token();
-        const WarpedPicture picture(source, mesh, mesh.points, {40, 900, Vec<2>::Zero(), 1}, options);
+        const WarpedPicture picture(source, mesh, mesh.points, {40, 900, Vec2::Zero(), 1}, options);
         QVERIFY_THROWS_EXCEPTION(Cancelled, writeWarped(folder.filePath(name).toStdString(), picture));
     }
     QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
@@ -679,13 +679,13 @@ void TestWarp::stoppedExportLeavesNothing() {
 void TestWarp::alphaComesOnlyWhereSomethingShowsThrough() {
     const Image source = randomPicture(64, 48, 3, PixelType::UInt8, false);
     const auto mesh = wholePicture();
-    const auto channels = [&](const Points<2>& pose, Outside outside) {
+    const auto channels = [&](const Points2& pose, Outside outside) {
         WarpOptions options;
         options.outside = outside;
         return WarpedPicture(source, mesh, pose, kView, options).header().channels;
     };
-    Points<2> corner = mesh.points, grown = mesh.points;
-    corner.col(0) += Vec<2>(0.2, 0.2);  // a sliver along two borders
+    Points2 corner = mesh.points, grown = mesh.points;
+    corner.col(0) += Vec2(0.2, 0.2);  // a sliver along two borders
     grown.array() *= 1.5;
     QCOMPARE(channels(mesh.points, Outside::Transparent), 3);
     QCOMPARE(channels(grown, Outside::Transparent), 3);

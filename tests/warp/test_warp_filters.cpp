@@ -93,15 +93,15 @@ float number(const Image& image, int x, int y, int channel) {
 }
 
 /// Where in the source a pixel of shifted() looks, if its filter stays within the picture.
-std::optional<Vec<2>> sourceOf(int x, int y, double scale, const Vec<2>& by = {0.5, 0.3}) {
-    const Vec<2> at = scale * Vec<2>(x + 0.5, y + 0.5) - by;
+std::optional<Vec2> sourceOf(int x, int y, double scale, const Vec2& by = {0.5, 0.3}) {
+    const Vec2 at = scale * Vec2(x + 0.5, y + 0.5) - by;
     const double border = 2 + 2 * scale;
     const bool isInside = at.minCoeff() > border && at.x() < 64 - border && at.y() < 48 - border;
     return isInside ? std::optional(at) : std::nullopt;
 }
 
 /// The picture reduced by `scale` and shifted by parts of a pixel.
-Image shifted(const Image& source, double scale, Filter filter, const Vec<2>& by = {0.5, 0.3}) {
+Image shifted(const Image& source, double scale, Filter filter, const Vec2& by = {0.5, 0.3}) {
     const auto mesh = wholePicture();
     WarpOptions options;
     options.filter = filter;
@@ -131,10 +131,10 @@ void TestWarpFilters::viewIsACropOfTheExportInEveryFilter() {
     for (int channels : {3, 4}) {
         const Image source = randomPicture(300, 240, channels, PixelType::UInt16, channels == 4);
         const auto mesh = rectangle({7, 7}, {291, 233}, 11);
-        const Points<2> pose = wave(mesh.points, 7);
+        const Points2 pose = wave(mesh.points, 7);
         onEveryTarget([&](SimdTarget) {
-            const Image whole = warpImage(source, mesh, pose, {300, 240, Vec<2>::Zero(), 1}, options);
-            const Image crop = warpImage(source, mesh, pose, {131, 97, Vec<2>(83, 61), 1}, options);
+            const Image whole = warpImage(source, mesh, pose, {300, 240, Vec2::Zero(), 1}, options);
+            const Image crop = warpImage(source, mesh, pose, {131, 97, Vec2(83, 61), 1}, options);
             for (int y = 0; y < 97; ++y)
                 for (int x = 0; x < 131; ++x)
                     for (int c = 0; c < channels; ++c)
@@ -170,10 +170,10 @@ void TestWarpFilters::movingPicturesAreBilinear() {
             source.data[k + c] = std::byte(static_cast<std::uint8_t>(source.data[k + c]) * alpha / 255);
     }
     const auto mesh = rectangle({7, 7}, {291, 233}, 5);
-    const Points<2> wavy = wave(mesh.points, 7);
-    const Points<2> turned = (-wavy).colwise() + Vec<2>(300, 240);
-    for (const Points<2>& pose : {wavy, turned}) {
-        const View view{260, 200, Vec<2>(11.3, 5.7), scale};
+    const Points2 wavy = wave(mesh.points, 7);
+    const Points2 turned = (-wavy).colwise() + Vec2(300, 240);
+    for (const Points2& pose : {wavy, turned}) {
+        const View view{260, 200, Vec2(11.3, 5.7), scale};
         WarpOptions options;
         options.filter = Filter::Bilinear;
         onEveryTarget([&](SimdTarget) {
@@ -225,7 +225,7 @@ void TestWarpFilters::transparentColoursDoNotBleed() {
             for (int c = 0; c < 4; ++c) source.row(y)[4 * x + c] = static_cast<std::byte>(c == 0 ? 255 : 0);
     const auto mesh = wholePicture();
     for (double scale : {1.0, 1.2, 2.7, 6.0}) {
-        const Points<2> pose = (mesh.points.colwise() + Vec<2>(0.37, 0.21)) / scale;
+        const Points2 pose = (mesh.points.colwise() + Vec2(0.37, 0.21)) / scale;
         const Image warped = warpImage(source, mesh, pose, kView, options);
         int mixed = 0;
         for (int y = 0; y < 48; ++y)
@@ -286,7 +286,7 @@ void TestWarpFilters::colourStaysBelowItsAlpha() {
             source.data[p + c] = std::min(source.data[p + c], source.data[p + 3]);
     const auto mesh = wholePicture();
     for (double scale : {1.0, 1.5}) {
-        const Points<2> pose = (mesh.points.colwise() + Vec<2>(0.4, 0.3)) / scale;
+        const Points2 pose = (mesh.points.colwise() + Vec2(0.4, 0.3)) / scale;
         const Image warped = warpImage(source, mesh, pose, kView);
         for (std::size_t p = 0; p < warped.data.size(); p += 4)
             for (std::size_t c = 0; c < 3; ++c) QVERIFY(warped.data[p + c] <= warped.data[p + 3]);
@@ -422,7 +422,7 @@ void TestWarpFilters::notANumberStaysInItsPixel() {
             });
             source.unassociated = unassociated;
             for (double scale : {0.5, 1.0, 1.2, 3.0}) {
-                const Vec<2> by(0.5, 0.25);
+                const Vec2 by(0.5, 0.25);
                 const Image warped = shifted(source, scale, static_cast<Filter>(filter), by);
                 int seen = 0;
                 for (int y = 0; y < 48; ++y)
@@ -471,9 +471,9 @@ void TestWarpFilters::oddNumbersAreKeptByTheIdentity() {
 void TestWarpFilters::collapsedShapeEnds() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = wholePicture();
-    for (const Vec<2>& shrink :
-         {Vec<2>(1e-7, 1), Vec<2>(1, 1e-13), Vec<2>(1e-9, 1e-9), Vec<2>(0, 0), Vec<2>(1e-300, 1)}) {
-        const Points<2> pose = (shrink.asDiagonal() * mesh.points).colwise() + Vec<2>(10.5, 20.5);
+    for (const Vec2& shrink :
+         {Vec2(1e-7, 1), Vec2(1, 1e-13), Vec2(1e-9, 1e-9), Vec2(0, 0), Vec2(1e-300, 1)}) {
+        const Points2 pose = (shrink.asDiagonal() * mesh.points).colwise() + Vec2(10.5, 20.5);
         const Image warped = warpImage(source, mesh, pose, kView);
         QCOMPARE(valueAt<std::uint8_t>(warped, 40, 5, 3), std::uint8_t(0));
     }
@@ -486,7 +486,7 @@ void TestWarpFilters::minifiedFinePatternTurnsGrey() {
     const auto mesh = rectangle({0, 0}, {512, 512}, 4);
     for (double scale : {2.0, 3.3, 5.0, 8.0}) {
         const int size = static_cast<int>(512 / scale);
-        const Image small = warpImage(source, mesh, mesh.points, {size, size, Vec<2>::Zero(), scale});
+        const Image small = warpImage(source, mesh, mesh.points, {size, size, Vec2::Zero(), scale});
         for (int y = 4; y < size - 4; ++y)
             for (int x = 4; x < size - 4; ++x)
                 QVERIFY(std::abs(valueAt<std::uint8_t>(small, x, y, 0) - 127.5) <= 4);
@@ -501,7 +501,7 @@ void TestWarpFilters::minifiedCoarsePatternStays() {
          {std::pair(Filter::Bilinear, 0.93), {Filter::Bicubic, 0.93}, {Filter::Ewa, 0.8}}) {
         WarpOptions options;
         options.filter = filter;
-        const Image small = warpImage(source, mesh, mesh.points, {64, 64, Vec<2>::Zero(), 4}, options);
+        const Image small = warpImage(source, mesh, mesh.points, {64, 64, Vec2::Zero(), 4}, options);
         std::complex<double> sum = 0;
         for (int x = 2; x < 62; ++x)  // ten waves
             sum +=
@@ -515,10 +515,10 @@ void TestWarpFilters::minifiedCoarsePatternStays() {
 void TestWarpFilters::squeezedPatternTurnsGrey() {
     const Image source = lines(256, 3);
     const auto mesh = rectangle({0, 0}, {256, 256}, 4);
-    Points<2> across = mesh.points, along = mesh.points;
+    Points2 across = mesh.points, along = mesh.points;
     across.row(0) /= 4;
     along.row(1) /= 4;
-    const View view{256, 256, Vec<2>::Zero(), 1};
+    const View view{256, 256, Vec2::Zero(), 1};
     const Image grey = warpImage(source, mesh, across, view), sharp = warpImage(source, mesh, along, view);
     double minimum = 255, most = 0;
     for (int x = 6; x < 58; ++x) {

@@ -26,15 +26,15 @@ using Kind = PathPiece::Kind;
 /// A square grid of the plane from 0 to `size`, and where a map takes its vertices.
 struct Grid {
     SimplicialMesh<2> rest;
-    Points<2> pose;
+    Points2 pose;
 
-    Grid(double size, int cells, const std::function<Vec<2>(const Vec<2>&)>& map) {
+    Grid(double size, int cells, const std::function<Vec2(const Vec2&)>& map) {
         const int side = cells + 1;
         rest.points.resize(2, side * side);
         pose.resize(2, side * side);
         for (int j = 0; j < side; ++j)
             for (int i = 0; i < side; ++i) {
-                rest.points.col(j * side + i) = size / cells * Vec<2>(i, j);
+                rest.points.col(j * side + i) = size / cells * Vec2(i, j);
                 pose.col(j * side + i) = map(rest.points.col(j * side + i));
             }
         for (int j = 0; j < cells; ++j)
@@ -46,26 +46,26 @@ struct Grid {
     }
 };
 
-Vec<2> same(const Vec<2>& p) {
+Vec2 same(const Vec2& p) {
     return p;
 }
 
 /// Area preserving, with a bend of a fifth of its waves.
-Vec<2> waves(const Vec<2>& p) {
+Vec2 waves(const Vec2& p) {
     return {p.x() + 12 * std::sin(p.y() / 30), p.y()};
 }
 
-Vec<2> cubicAt(const std::array<Vec<2>, 4>& p, double t) {
+Vec2 cubicAt(const std::array<Vec2, 4>& p, double t) {
     const double s = 1 - t;
     return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
 }
 
 /// Calls `take` with every curve and line of a path as a cubic.
-void forCurves(const SvgPath& path, const std::function<void(const std::array<Vec<2>, 4>&)>& take) {
-    Vec<2> at(0, 0), start(0, 0);
+void forCurves(const SvgPath& path, const std::function<void(const std::array<Vec2, 4>&)>& take) {
+    Vec2 at(0, 0), start(0, 0);
     for (const PathPiece& piece : path) {
         if (piece.kind == Kind::Move) start = piece.points[0];
-        const Vec<2> to =
+        const Vec2 to =
             piece.kind == Kind::Close ? start : piece.points[static_cast<std::size_t>(piece.count() - 1)];
         if (piece.kind == Kind::Cubic) take({at, piece.points[0], piece.points[1], to});
         if (piece.kind == Kind::Line || piece.kind == Kind::Close)
@@ -80,7 +80,7 @@ double areaOf(const SvgPath& path) {
     constexpr int kIntervals = 400;
     forCurves(path, [&](const auto& p) {
         for (int k = 0; k < kIntervals; ++k) {
-            const Vec<2> a = cubicAt(p, double(k) / kIntervals), b = cubicAt(p, double(k + 1) / kIntervals);
+            const Vec2 a = cubicAt(p, double(k) / kIntervals), b = cubicAt(p, double(k + 1) / kIntervals);
             area += (a.x() * b.y() - a.y() * b.x()) / 2;
         }
     });
@@ -146,17 +146,16 @@ class TestWarpedDrawing : public QObject {
                                        std::string(size) + ">" + body + "</svg>"),
                            {}, {});
     }
-    static std::string carried(const VectorDrawing& drawing,
-                               const std::function<Vec<2>(const Vec<2>&)>& map) {
+    static std::string carried(const VectorDrawing& drawing, const std::function<Vec2(const Vec2&)>& map) {
         const double scale = drawing.width / drawing.viewBox[2];
-        const Grid grid(drawing.width, 40, [&](const Vec<2>& p) { return Vec<2>(scale * map(p / scale)); });
+        const Grid grid(drawing.width, 40, [&](const Vec2& p) { return Vec2(scale * map(p / scale)); });
         SvgPage page;
         page.viewBox = drawing.viewBox;
         page.width = "100", page.height = "100";
         page.fromPixels.A *= 1 / scale;
         SvgFile file(page);
         file.add({}, drawing, {0, 0}, PlaneMap(grid.rest, grid.pose),
-                 [](const Image& picture, const Vec<2>& at) {
+                 [](const Image& picture, const Vec2& at) {
                      return PlacedPng{"png", at, picture.width, picture.height};
                  });
         return file.text();
@@ -213,12 +212,12 @@ void TestWarpedDrawing::arcsAreEllipses() {
                                     std::to_string(flags % 2) + " 25,25L30,10Z");
         const double turn = 30 * std::numbers::pi / 180;
         // The centre is equally far from both ends in the coordinates of the ellipse.
-        Mat<2> toCircle;
+        Mat2 toCircle;
         toCircle << std::cos(turn) / 20, std::sin(turn) / 20, -std::sin(turn) / 10, std::cos(turn) / 10;
-        const Vec<2> a = toCircle * Vec<2>(30, 10), b = toCircle * Vec<2>(25, 25), half = (b - a) / 2;
+        const Vec2 a = toCircle * Vec2(30, 10), b = toCircle * Vec2(25, 25), half = (b - a) / 2;
         const double lift = std::sqrt(1 - half.squaredNorm());
         const double side = flags / 2 == flags % 2 ? 1 : -1;
-        const Vec<2> centre = (a + b) / 2 + side * lift * Vec<2>(half.y(), -half.x()).normalized();
+        const Vec2 centre = (a + b) / 2 + side * lift * Vec2(half.y(), -half.x()).normalized();
         for (const PathPiece& piece : path)
             if (piece.kind == Kind::Cubic)
                 QVERIFY(std::abs((toCircle * piece.points[2] - centre).norm() - 1) < 1e-9);
@@ -231,22 +230,22 @@ void TestWarpedDrawing::arcsAreEllipses() {
     QVERIFY(std::abs(areaOf(circle) - 1600 * std::numbers::pi) < 0.02);
     forCurves(circle, [&](const auto& p) {
         for (const double t : {0.25, 0.5, 0.75})
-            if (p[0] != p[3]) QVERIFY(std::abs((cubicAt(p, t) - Vec<2>(50, 50)).norm() - 40) < 40 * 5e-6);
+            if (p[0] != p[3]) QVERIFY(std::abs((cubicAt(p, t) - Vec2(50, 50)).norm() - 40) < 40 * 5e-6);
     });
 }
 
 void TestWarpedDrawing::mapIsExactForAffineOnes() {
-    const auto affine = [](const Vec<2>& p) {
-        return Vec<2>(0.8 * p.x() - 0.3 * p.y() + 7, 0.5 * p.x() + 1.1 * p.y() - 3);
+    const auto affine = [](const Vec2& p) {
+        return Vec2(0.8 * p.x() - 0.3 * p.y() + 7, 0.5 * p.x() + 1.1 * p.y() - 3);
     };
     const Grid grid(100, 7, affine);
     const PlaneMap map(grid.rest, grid.pose);
-    for (const Vec<2>& p : {Vec<2>(3, 4), Vec<2>(50, 50), Vec<2>(99.9, 0), Vec<2>(-20, 130), Vec<2>(0, 100)})
+    for (const Vec2& p : {Vec2(3, 4), Vec2(50, 50), Vec2(99.9, 0), Vec2(-20, 130), Vec2(0, 100)})
         QVERIFY((map(p) - affine(p)).norm() < 1e-10);
     QVERIFY(map.contains({0, 0}) && map.contains({100, 30}) && !map.contains({101, 30}));
-    const Affine nearest = nearestAffine(map, {Vec<2>(1, 1), Vec<2>(90, 20), Vec<2>(30, 70)});
+    const Affine nearest = nearestAffine(map, {Vec2(1, 1), Vec2(90, 20), Vec2(30, 70)});
     QVERIFY((nearest({20, 20}) - affine({20, 20})).norm() < 1e-9);
-    const Affine onLine = nearestAffine(map, {Vec<2>(1, 1), Vec<2>(9, 9)});
+    const Affine onLine = nearestAffine(map, {Vec2(1, 1), Vec2(9, 9)});
     QVERIFY((onLine({9, 1}) - affine({9, 1})).norm() < 1e-9);
     QCOMPARE(map.border().size(), std::size_t(1));
 }
@@ -259,7 +258,7 @@ void TestWarpedDrawing::mapIsOfThirdOrder() {
         double greatest = 0;
         for (double x = 60; x < 140; x += 3.1)
             for (double y = 60; y < 140; y += 2.9)
-                greatest = std::max(greatest, (map(Vec<2>(x, y)) - waves(Vec<2>(x, y))).norm());
+                greatest = std::max(greatest, (map(Vec2(x, y)) - waves(Vec2(x, y))).norm());
         return greatest;
     };
     const double coarse = errorWith(20), fine = errorWith(40);
@@ -268,9 +267,7 @@ void TestWarpedDrawing::mapIsOfThirdOrder() {
 }
 
 void TestWarpedDrawing::cubicsGoThroughAffineMaps() {
-    const auto affine = [](const Vec<2>& p) {
-        return Vec<2>(1.5 * p.x() + 0.5 * p.y(), p.y() - 0.25 * p.x());
-    };
+    const auto affine = [](const Vec2& p) { return Vec2(1.5 * p.x() + 0.5 * p.y(), p.y() - 0.25 * p.x()); };
     const Grid grid(100, 9, affine);
     const SvgPath path = pathOf("M10 10C20 80 60 0 90 90L50 95 10 60Z M30 30L40 30 40 40");
     const SvgPath carried = carriedPath(path, PlaneMap(grid.rest, grid.pose), 0.05);
@@ -301,7 +298,7 @@ void TestWarpedDrawing::curvesKeepTheirDistance() {
     const Grid grid(200, 60, waves);
     const PlaneMap map(grid.rest, grid.pose);
     const SvgPath source = pathOf("M20 20L180 190C100 200 20 180 20 60");
-    std::vector<Vec<2>> exact;
+    std::vector<Vec2> exact;
     forCurves(source, [&](const auto& p) {
         for (int k = 0; k <= 4000; ++k) exact.push_back(map(cubicAt(p, k / 4000.0)));
     });
@@ -309,10 +306,10 @@ void TestWarpedDrawing::curvesKeepTheirDistance() {
         double farthest = 0;
         forCurves(carriedPath(source, map, tolerance), [&](const auto& p) {
             for (const double t : {0.1, 0.3, 0.45, 0.62, 0.8, 0.95}) {
-                const Vec<2> at = cubicAt(p, t);
+                const Vec2 at = cubicAt(p, t);
                 double nearest = 1e9;
                 for (std::size_t k = 1; k < exact.size(); ++k) {
-                    const Vec<2> along = exact[k] - exact[k - 1];
+                    const Vec2 along = exact[k] - exact[k - 1];
                     const double part =
                         std::clamp((at - exact[k - 1]).dot(along) / (along.squaredNorm() + 1e-300), 0.0, 1.0);
                     nearest = std::min(nearest, (exact[k - 1] + part * along - at).norm());
@@ -330,7 +327,7 @@ void TestWarpedDrawing::cornersAndEndsStay() {
     const Grid grid(200, 60, waves);
     const PlaneMap map(grid.rest, grid.pose);
     const SvgPath square = carriedPath(rectanglePath({50, 50}, {100, 100}, 0, 0), map, 0.05);
-    for (const Vec<2>& corner : {Vec<2>(50, 50), Vec<2>(150, 50), Vec<2>(150, 150), Vec<2>(50, 150)}) {
+    for (const Vec2& corner : {Vec2(50, 50), Vec2(150, 50), Vec2(150, 150), Vec2(50, 150)}) {
         double nearest = 1e9;
         for (const PathPiece& piece : square)
             if (piece.count() > 0)
@@ -339,14 +336,14 @@ void TestWarpedDrawing::cornersAndEndsStay() {
                     (piece.points[static_cast<std::size_t>(piece.count() - 1)] - map(corner)).norm());
         QVERIFY(nearest < 1e-9);
     }
-    std::vector<std::array<Vec<2>, 4>> curves;
+    std::vector<std::array<Vec2, 4>> curves;
     forCurves(carriedPath(ellipsePath({100, 100}, 70, 40), map, 0.01), [&](const auto& p) {
         if ((p[3] - p[0]).norm() > 1e-9) curves.push_back(p);
     });
     for (std::size_t k = 0; k < curves.size(); ++k) {
         const auto &a = curves[k], &b = curves[(k + 1) % curves.size()];
         QVERIFY((a[3] - b[0]).norm() < 1e-9);
-        const Vec<2> before = (a[3] - a[2]).normalized(), after = (b[1] - b[0]).normalized();
+        const Vec2 before = (a[3] - a[2]).normalized(), after = (b[1] - b[0]).normalized();
         QVERIFY((before - after).norm() < 1e-6);
     }
 }
@@ -380,7 +377,7 @@ void TestWarpedDrawing::drawingsStayTheSame() {
     const QImage same = drawn(carried(drawing, &::same), size);
     QVERIFY2(meanDifference(before, same) < 0.2, qPrintable(QString::number(meanDifference(before, same))));
     // The same map on the outside: the drawing turned by a transform.
-    const auto turn = [](const Vec<2>& p) { return Vec<2>(0.8 * p.x() + 0.2 * p.y(), 0.7 * p.y() + 10); };
+    const auto turn = [](const Vec2& p) { return Vec2(0.8 * p.x() + 0.2 * p.y(), 0.7 * p.y() + 10); };
     std::string fixed = body;  // pens are not turned with it
     for (std::size_t at = 0; (at = fixed.find("stroke=\"", at)) != std::string::npos; at += 8)
         if (fixed.compare(at, 14, "stroke=\"none\">") != 0) fixed.replace(at, 6, "strokX");
@@ -420,7 +417,7 @@ void TestWarpedDrawing::pensAndPaintsGoAlong() {
       <path id="round" transform="scale(2)" d="M5 5L20 20" stroke="red" stroke-width="1.5" stroke-dasharray="2,1"/>
       <path id="flat" transform="scale(2 1)" d="M5 5L20 20" stroke="red" stroke-width="1.5"/>
       <path id="filled" d="M10 10H40V40H10Z" fill="url(#g)"/>)svg");
-    const auto turn = [](const Vec<2>& p) { return Vec<2>(100 - p.y(), p.x()); };  // by a right angle
+    const auto turn = [](const Vec2& p) { return Vec2(100 - p.y(), p.x()); };  // by a right angle
     const std::string svg = carried(drawing, turn);
     QCOMPARE(attribute(svg, "//path[@id='round']", "stroke-width"), "3");
     QCOMPARE(attribute(svg, "//path[@id='round']", "stroke-dasharray"), "4,2");
@@ -433,10 +430,10 @@ void TestWarpedDrawing::pensAndPaintsGoAlong() {
     const std::string found = "//linearGradient[@id='" + gradient.substr(5, gradient.size() - 6) + "']";
     Affine transform;
     QVERIFY(readTransform(attribute(svg, found.c_str(), "gradientTransform"), transform));
-    const Vec<2> from(std::stod(attribute(svg, found.c_str(), "x1")),
-                      std::stod(attribute(svg, found.c_str(), "y1")));
+    const Vec2 from(std::stod(attribute(svg, found.c_str(), "x1")),
+                    std::stod(attribute(svg, found.c_str(), "y1")));
     QVERIFY((transform(from) - turn({10, 0})).norm() < 1e-5);
-    QVERIFY((transform(Vec<2>(30, 0)) - turn({30, 0})).norm() < 1e-5);
+    QVERIFY((transform(Vec2(30, 0)) - turn({30, 0})).norm() < 1e-5);
     QCOMPARE(attribute(svg, "//stop[2]", "stop-color"), "red");
 }
 
@@ -449,7 +446,7 @@ void TestWarpedDrawing::clipsAndLayers() {
         <g clip-path="url(#c)"><circle cx="20" cy="20" r="9"/></g>
         <rect id="soft" width="10" height="10" transform="scale(2)" filter="url(#f)"/>
         <rect id="masked" width="10" height="10" mask="url(#m)"/></g>)svg");
-    const auto shift = [](const Vec<2>& p) { return Vec<2>(p.x() + 2, p.y() + 3); };
+    const auto shift = [](const Vec2& p) { return Vec2(p.x() + 2, p.y() + 3); };
     const std::string svg = carried(drawing, shift);
     const std::string layer = "//g[@id='layer']";
     QCOMPARE(attribute(svg, layer.c_str(), "inkscape:label"), "arm");
@@ -482,7 +479,7 @@ void TestWarpedDrawing::clipsInBoxUnits() {
         <circle transform="translate(16 0)" r="4" stroke="red" stroke-width="9"/><rect x="90" width="9" height="9" display="none"/></g>
       <use id="used" clip-path="url(#t)" x="2" href="#far"/>
       <g id="masked" mask="url(#m)"><rect x="20" y="30" width="6" height="8"/></g>)svg");
-    const std::string svg = carried(drawing, [](const Vec<2>& p) { return p; });
+    const std::string svg = carried(drawing, [](const Vec2& p) { return p; });
     const auto clipped = [&](const std::string& element, const char* property) {
         const std::string url = attribute(svg, element.c_str(), property);
         return attribute(

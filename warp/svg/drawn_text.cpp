@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-Vec<2> pointOf(const QPainterPath::Element& element) {
+Vec2 pointOf(const QPainterPath::Element& element) {
     return {element.x, element.y};
 }
 

@@ -24,7 +24,7 @@ bool isOfBox(const std::vector<pugi::xml_node>& chain, const char* units) {
 
 /// Takes the unit square to a box.
 Affine boxMap(const QRectF& box) {
-    return {Mat<2>(Vec<2>(box.width(), box.height()).asDiagonal()), Vec<2>(box.x(), box.y())};
+    return {Mat2(Vec2(box.width(), box.height()).asDiagonal()), Vec2(box.x(), box.y())};
 }
 
 void setNumber(pugi::xml_node node, const char* name, double value) {
@@ -78,7 +78,7 @@ double lengthOf(std::string_view text, double whole, double otherwise) {
 }
 
 std::string SvgPaints::paint(const SvgStyle& style, const std::string& property, const Affine& map,
-                             const QRectF& box, const Vec<2>& viewport) {
+                             const QRectF& box, const Vec2& viewport) {
     const std::string value = valueOf(style, property, property == "fill" ? "black" : "none");
     if (value == "currentColor" || value == "currentcolor") return valueOf(style, "color", "black");
     if (!value.starts_with("url(")) return value.starts_with("context-") ? "none" : value;
@@ -125,7 +125,7 @@ std::string SvgPaints::stopsOf(const pugi::xml_node& node) {
 }
 
 std::string SvgPaints::gradient(const std::vector<pugi::xml_node>& chain, const Affine& map,
-                                const QRectF& box, const Vec<2>& viewport) {
+                                const QRectF& box, const Vec2& viewport) {
     const std::string stops = stopsOf(chain.front());
     const bool ofBox = isOfBox(chain, "gradientUnits");
     if (stops.empty() || (ofBox && (box.width() <= 0 || box.height() <= 0))) return {};
@@ -134,7 +134,7 @@ std::string SvgPaints::gradient(const std::vector<pugi::xml_node>& chain, const 
     own.append_attribute("id") = id.c_str();
     own.append_attribute("xlink:href") = ("#" + stops).c_str();
     own.append_attribute("gradientUnits") = "userSpaceOnUse";
-    const Vec<2> whole = ofBox ? Vec<2>(1, 1) : viewport;
+    const Vec2 whole = ofBox ? Vec2(1, 1) : viewport;
     const double diagonal = std::sqrt(whole.squaredNorm() / 2);
     const auto copy = [&](const char* name, double of, const char* standard) {
         std::string text = attributeIn(chain, name);
@@ -161,7 +161,7 @@ std::string SvgPaints::gradient(const std::vector<pugi::xml_node>& chain, const 
 }
 
 std::string SvgPaints::pattern(const std::vector<pugi::xml_node>& chain, const Affine& map, const QRectF& box,
-                               const Vec<2>& viewport) {
+                               const Vec2& viewport) {
     const bool ofBox = isOfBox(chain, "patternUnits");
     const std::string original = chain.front().attribute("id").value();
     if ((ofBox && (box.width() <= 0 || box.height() <= 0)) || !keep(original)) return {};
@@ -170,9 +170,9 @@ std::string SvgPaints::pattern(const std::vector<pugi::xml_node>& chain, const A
     own.append_attribute("id") = id.c_str();
     own.append_attribute("xlink:href") = ("#" + original).c_str();
     own.append_attribute("patternUnits") = "userSpaceOnUse";
-    const Vec<2> from = ofBox ? Vec<2>(box.x(), box.y()) : Vec<2>(0, 0);
-    const Vec<2> whole = ofBox ? Vec<2>(1, 1) : viewport;
-    const Vec<2> unit = ofBox ? Vec<2>(box.width(), box.height()) : Vec<2>(1, 1);
+    const Vec2 from = ofBox ? Vec2(box.x(), box.y()) : Vec2(0, 0);
+    const Vec2 whole = ofBox ? Vec2(1, 1) : viewport;
+    const Vec2 unit = ofBox ? Vec2(box.width(), box.height()) : Vec2(1, 1);
     setNumber(own, "x", from.x() + unit.x() * lengthOf(attributeIn(chain, "x"), whole.x(), 0));
     setNumber(own, "y", from.y() + unit.y() * lengthOf(attributeIn(chain, "y"), whole.y(), 0));
     setNumber(own, "width", unit.x() * lengthOf(attributeIn(chain, "width"), whole.x(), 0));

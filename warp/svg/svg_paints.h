@@ -43,15 +43,15 @@ class SvgPaints {
     /// Returns the paint of a path; `map` leads from its own coordinates, in which `box` is around it, to
     /// those of the view box.
     std::string paint(const SvgStyle& style, const std::string& property, const Affine& map,
-                      const QRectF& box, const Vec<2>& viewport);
+                      const QRectF& box, const Vec2& viewport);
     /// Copies an element to <defs> as it is, with all that it refers to. Returns whether it is there.
     bool keep(const std::string& id);
 
   private:
     std::string gradient(const std::vector<pugi::xml_node>& chain, const Affine& map, const QRectF& box,
-                         const Vec<2>& viewport);
+                         const Vec2& viewport);
     std::string pattern(const std::vector<pugi::xml_node>& chain, const Affine& map, const QRectF& box,
-                        const Vec<2>& viewport);
+                        const Vec2& viewport);
     std::string stopsOf(const pugi::xml_node& node);
     void keepReferences(const pugi::xml_node& node);
 

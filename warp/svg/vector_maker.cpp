@@ -33,13 +33,13 @@ constexpr double kNegligible = 1e-12;  // of a determinant
 struct Around {
     Affine map;  // to the coordinates of the view box
     SvgStyle style;
-    Vec<2> viewport;
+    Vec2 viewport;
     int depth = 0;
 };
 
 QPainterPath painterPath(const SvgPath& path) {
     QPainterPath result;
-    const auto at = [](const Vec<2>& p) { return QPointF(p.x(), p.y()); };
+    const auto at = [](const Vec2& p) { return QPointF(p.x(), p.y()); };
     for (const PathPiece& piece : path) switch (piece.kind) {
             case PathPiece::Kind::Move:
                 result.moveTo(at(piece.points[0]));
@@ -61,7 +61,7 @@ bool isNone(const std::string& value) {
 }
 
 Affine fromUnitSquare(const QRectF& box) {
-    return {Mat<2>(Vec<2>(box.width(), box.height()).asDiagonal()), {box.x(), box.y()}};
+    return {Mat2(Vec2(box.width(), box.height()).asDiagonal()), {box.x(), box.y()}};
 }
 
 QTransform painterTransform(const Affine& map) {
@@ -81,7 +81,7 @@ class VectorMaker {
     }
 
     /// Returns the box around an element in its own coordinates, without pens, clip paths and masks.
-    QRectF boxOf(const pugi::xml_node& node, const SvgStyle& style, const Vec<2>& viewport) {
+    QRectF boxOf(const pugi::xml_node& node, const SvgStyle& style, const Vec2& viewport) {
         Around outer{{}, style, viewport};
         if (!readTransform(node.attribute("transform").value(), outer.map)) outer.map = {};
         outer.map = outer.map.inverse();
@@ -151,7 +151,7 @@ class VectorMaker {
     }
 
     /// Places the view box of a nested drawing or symbol in an area.
-    static Affine placed(const pugi::xml_node& node, const Vec<2>& from, Vec<2>& size) {
+    static Affine placed(const pugi::xml_node& node, const Vec2& from, Vec2& size) {
         Affine place;
         place.b = from;
         NumberScanner scanner(node.attribute("viewBox").value());
@@ -159,30 +159,30 @@ class VectorMaker {
         for (double& value : box)
             if (!scanner.number(value)) return place;
         if (!(box[2] > 0 && box[3] > 0)) return place;
-        Vec<2> scale(size.x() / box[2], size.y() / box[3]);
+        Vec2 scale(size.x() / box[2], size.y() / box[3]);
         const std::string aspect = node.attribute("preserveAspectRatio").as_string("xMidYMid meet");
-        Vec<2> rest(0, 0);
+        Vec2 rest(0, 0);
         if (aspect.find("none") == std::string::npos) {
             const bool isSlice = aspect.find("slice") != std::string::npos;
             scale.setConstant(isSlice ? scale.maxCoeff() : scale.minCoeff());
-            rest = size - scale.cwiseProduct(Vec<2>(box[2], box[3]));
+            rest = size - scale.cwiseProduct(Vec2(box[2], box[3]));
             const auto part = [&](const char* min, const char* max) {
                 return aspect.find(min) != std::string::npos   ? 0.0
                        : aspect.find(max) != std::string::npos ? 1.0
                                                                : 0.5;
             };
-            rest = rest.cwiseProduct(Vec<2>(part("xMin", "xMax"), part("YMin", "YMax")));
+            rest = rest.cwiseProduct(Vec2(part("xMin", "xMax"), part("YMin", "YMax")));
         }
         place.A = scale.asDiagonal();
-        place.b = from + rest - scale.cwiseProduct(Vec<2>(box[0], box[1]));
+        place.b = from + rest - scale.cwiseProduct(Vec2(box[0], box[1]));
         size = {box[2], box[3]};
         return place;
     }
 
     void nested(const pugi::xml_node& node, pugi::xml_node out, Around around) {
-        const Vec<2> whole = around.viewport;
-        const Vec<2> from(lengthOf(node.attribute("x").value(), whole.x(), 0),
-                          lengthOf(node.attribute("y").value(), whole.y(), 0));
+        const Vec2 whole = around.viewport;
+        const Vec2 from(lengthOf(node.attribute("x").value(), whole.x(), 0),
+                        lengthOf(node.attribute("y").value(), whole.y(), 0));
         around.viewport = {lengthOf(node.attribute("width").value(), whole.x(), whole.x()),
                            lengthOf(node.attribute("height").value(), whole.y(), whole.y())};
         around.map = around.map * placed(node, from, around.viewport);
@@ -196,10 +196,10 @@ class VectorMaker {
         pugi::xml_node group = begin(node, around, out, nullptr);  // which may measure what is used
         if (!m_used.insert(id).second)
             throw InputError("uses its \"" + id.substr(0, 60) + "\" within itself");
-        const Vec<2> whole = around.viewport;
-        const Vec<2> shift(lengthOf(node.attribute("x").value(), whole.x(), 0),
-                           lengthOf(node.attribute("y").value(), whole.y(), 0));
-        around.map = around.map * Affine{Mat<2>::Identity(), shift};
+        const Vec2 whole = around.viewport;
+        const Vec2 shift(lengthOf(node.attribute("x").value(), whole.x(), 0),
+                         lengthOf(node.attribute("y").value(), whole.y(), 0));
+        around.map = around.map * Affine{Mat2::Identity(), shift};
         const std::string_view name = target.name();
         if (name == "symbol" || name == "svg") {
             around.style = styleOf(target, around.style);
@@ -340,7 +340,7 @@ class VectorMaker {
     void measure(const SvgPath& placed) { *m_measured |= painterPath(placed).boundingRect(); }
 
     static std::optional<SvgPath> pathOfShape(const pugi::xml_node& node, const Around& around) {
-        const Vec<2>& whole = around.viewport;
+        const Vec2& whole = around.viewport;
         const double diagonal = std::sqrt(whole.squaredNorm() / 2);
         const auto length = [&](const char* key, double of, double otherwise = 0) {
             return lengthOf(node.attribute(key).value(), of, otherwise);
@@ -350,11 +350,10 @@ class VectorMaker {
         if (name == "polyline" || name == "polygon")
             return polygonPath(node.attribute("points").value(), name == "polygon");
         if (name == "line")
-            return SvgPath{
-                {PathPiece::Kind::Move, {Vec<2>(length("x1", whole.x()), length("y1", whole.y()))}},
-                {PathPiece::Kind::Line, {Vec<2>(length("x2", whole.x()), length("y2", whole.y()))}}};
+            return SvgPath{{PathPiece::Kind::Move, {Vec2(length("x1", whole.x()), length("y1", whole.y()))}},
+                           {PathPiece::Kind::Line, {Vec2(length("x2", whole.x()), length("y2", whole.y()))}}};
         if (name == "rect") {
-            const Vec<2> size(length("width", whole.x()), length("height", whole.y()));
+            const Vec2 size(length("width", whole.x()), length("height", whole.y()));
             double rx = length("rx", whole.x(), -1), ry = length("ry", whole.y(), -1);
             if (rx < 0) rx = ry;
             if (ry < 0) ry = rx;

@@ -79,8 +79,8 @@ Place PosedFrame<Dim>::placeIn(int cell, const Vec3& p) const {
 }
 
 template <int Dim>
-Mat<3> PosedFrame<Dim>::rotationOf(int cell) const {
-    Mat<3> R = Mat<3>::Identity();
+Mat3 PosedFrame<Dim>::rotationOf(int cell) const {
+    Mat3 R = Mat3::Identity();
     R.topLeftCorner<Dim, Dim>() = cellRotation<Dim>(*this, cell);
     return R;
 }

@@ -54,7 +54,7 @@ struct ShapeFrame {
     /// Returns the barycentric coordinates of a point of the pose in a cell.
     virtual Place placeIn(int cell, const Vec3& p) const = 0;
     /// Returns the rotation of a cell from rest to the pose: the polar factor of its deformation gradient.
-    virtual Mat<3> rotationOf(int cell) const = 0;
+    virtual Mat3 rotationOf(int cell) const = 0;
     /// Map a point of a part, or of the whole shape if none is named, from rest to the pose and back; outside
     /// by the offset from the nearest vertex.
     virtual Vec3 carriedFromRest(const Vec3& p, const std::string& part) const = 0;
@@ -104,7 +104,7 @@ struct PosedFrame : ShapeFrame {
     const std::vector<MeshPart>& parts() const override { return rest->parts; }
     std::optional<Place> find(const Vec3& p) const override;
     Place placeIn(int cell, const Vec3& p) const override;
-    Mat<3> rotationOf(int cell) const override;
+    Mat3 rotationOf(int cell) const override;
     Vec3 carriedFromRest(const Vec3& p, const std::string& part) const override;
     Vec3 carriedToRest(const Vec3& p, const std::string& part) const override;
     std::vector<int> verticesInside(const Region<3>& region) const override;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFlatPoints = 1e-6;  // fraction of the extent below which points count as coplanar
 
-SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const std::vector<bool>& in) {
+SolidSize sizeWhere(const PosedFrame<3>& frame, const Points3& points, const std::vector<bool>& in) {
     const auto all = [&in](const auto& vertices) {
         return std::all_of(vertices.begin(), vertices.end(), [&in](int v) { return in[v]; });
     };
@@ -24,8 +24,8 @@ SolidSize sizeWhere(const PosedFrame<3>& frame, const Points<3>& points, const s
         if (all(cell)) size.volume += std::abs(cellMeasure<3>(points, cell));
     for (const Facet<3>& facet : *frame.built->facets) {
         if (facet.interior() || !all(facet.vertices)) continue;
-        const Vec<3> a = points.col(facet.vertices[0]);
-        const Vec<3> u = points.col(facet.vertices[1]) - a, v = points.col(facet.vertices[2]) - a;
+        const Vec3 a = points.col(facet.vertices[0]);
+        const Vec3 u = points.col(facet.vertices[1]) - a, v = points.col(facet.vertices[2]) - a;
         size.area += u.cross(v).norm() / 2;
     }
     return size;
@@ -84,17 +84,17 @@ CarryingOf<Dim> carryingBetween(const std::vector<Vec<Dim>>& rest, const std::ve
     return carrying;
 }
 
-template Location<2> locationIn<2>(const PosedFrame<2>&, int, const Vec<2>&);
-template Location<3> locationIn<3>(const PosedFrame<3>&, int, const Vec<3>&);
-template Mat<2> cellRotation<2>(const PosedFrame<2>&, int);
-template Mat<3> cellRotation<3>(const PosedFrame<3>&, int);
+template Location<2> locationIn<2>(const PosedFrame<2>&, int, const Vec2&);
+template Location<3> locationIn<3>(const PosedFrame<3>&, int, const Vec3&);
+template Mat2 cellRotation<2>(const PosedFrame<2>&, int);
+template Mat3 cellRotation<3>(const PosedFrame<3>&, int);
 template std::vector<int> verticesInside<2>(const Region<2>&, const SimplicialMesh<2>&);
 template std::vector<int> verticesInside<3>(const Region<3>&, const SimplicialMesh<3>&);
-template CarryingOf<2> carryingBetween<2>(const std::vector<Vec<2>>&, const std::vector<Vec<2>>&);
-template CarryingOf<3> carryingBetween<3>(const std::vector<Vec<3>>&, const std::vector<Vec<3>>&);
+template CarryingOf<2> carryingBetween<2>(const std::vector<Vec2>&, const std::vector<Vec2>&);
+template CarryingOf<3> carryingBetween<3>(const std::vector<Vec3>&, const std::vector<Vec3>&);
 
 CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& vertices) {
-    std::vector<Vec<3>> rest, posed;
+    std::vector<Vec3> rest, posed;
     for (const int v : vertices) {
         rest.push_back(frame.rest->points.col(v));
         posed.push_back(frame.pose.col(v));
@@ -102,11 +102,11 @@ CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& ver
     return carryingBetween<3>(rest, posed);
 }
 
-SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points) {
+SolidSize sizeOf(const PosedFrame<3>& frame, const Points3& points) {
     return sizeWhere(frame, points, std::vector<bool>(frame.rest->vertexCount(), true));
 }
 
-SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points, const std::vector<int>& vertices) {
+SolidSize sizeOf(const PosedFrame<3>& frame, const Points3& points, const std::vector<int>& vertices) {
     std::vector<bool> in(frame.rest->vertexCount(), false);
     for (const int v : vertices) in[v] = true;
     return sizeWhere(frame, points, in);

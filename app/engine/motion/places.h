@@ -41,8 +41,8 @@ CarryingOf<3> carryingOf(const PosedFrame<3>& frame, const std::vector<int>& ver
 struct SolidSize {
     double volume = 0, area = 0;
 };
-SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points);
-SolidSize sizeOf(const PosedFrame<3>& frame, const Points<3>& points, const std::vector<int>& vertices);
+SolidSize sizeOf(const PosedFrame<3>& frame, const Points3& points);
+SolidSize sizeOf(const PosedFrame<3>& frame, const Points3& points, const std::vector<int>& vertices);
 
 /// The places that a handle holds; none if it is outside the shape.
 struct PinPlace {

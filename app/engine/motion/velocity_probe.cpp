@@ -67,10 +67,10 @@ Points<Dim> influenceAt(const Shape<Dim>& shape, const Project& project, const s
     return influence;
 }
 
-template Points<2> influenceAt<2>(const Shape<2>&, const Project&, const std::vector<int>&, double,
-                                  const Points<2>&);
-template Points<3> influenceAt<3>(const Shape<3>&, const Project&, const std::vector<int>&, double,
-                                  const Points<3>&);
+template Points2 influenceAt<2>(const Shape<2>&, const Project&, const std::vector<int>&, double,
+                                const Points2&);
+template Points3 influenceAt<3>(const Shape<3>&, const Project&, const std::vector<int>&, double,
+                                const Points3&);
 template class VelocityProbe<2>;
 template class VelocityProbe<3>;
 

@@ -12,11 +12,11 @@ namespace wend {
 
 namespace {
 
-Vec<2> triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
+Vec2 triangleCentroid(const SimplicialMesh<2>& mesh, const Cell<2>& cell) {
     return (mesh.points.col(cell[0]) + mesh.points.col(cell[1]) + mesh.points.col(cell[2])) / 3;
 }
 
-float orderAt(const ValueLayers& layers, const std::string& part, const Vec<2>& p) {
+float orderAt(const ValueLayers& layers, const std::string& part, const Vec2& p) {
     const auto reaches = [&](const SoftRegion& region) {
         return (region.part.empty() || region.part == part) &&
                signedDistance<2>(inPlane(region.shape), p) <= 0;

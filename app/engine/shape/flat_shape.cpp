@@ -27,17 +27,17 @@ constexpr double kPromised = 1.15;    // times the vertices that are aimed at
 double outlineDiagonal(const Outline& outline) {
     Eigen::AlignedBox2d box;
     for (const auto& loop : outline.loops)
-        for (const Vec<2>& point : loop) box.extend(point);
+        for (const Vec2& point : loop) box.extend(point);
     return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 /// Returns whether the mesher takes the point: inside by the even-odd rule, or on the border within the
 /// tolerance.
-bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
+bool belongs(const Outline& outline, const Vec2& p, double tolerance) {
     bool inside = false;
     for (const auto& loop : outline.loops)
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+            const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
             if (distanceToSegment<2>(p, a, b) <= tolerance) return true;
             if (crossesRay(a, b, p)) inside = !inside;
         }
@@ -46,16 +46,16 @@ bool belongs(const Outline& outline, const Vec<2>& p, double tolerance) {
 
 /// Returns the places of handles that are there from the start, each place once. Points outside are left to
 /// the deformer, which names their handle.
-std::vector<Vec<2>> handlePoints(const Design& design, const Outline& outline) {
+std::vector<Vec2> handlePoints(const Design& design, const Outline& outline) {
     const double tolerance = kCoincident * outlineDiagonal(outline);
-    std::vector<Vec<2>> points;
+    std::vector<Vec2> points;
     for (const Pin& handle : design.handles) {
         const auto* places = std::get_if<std::vector<Vec3>>(&handle.at);
         if (!places || handle.activeFrom > 0) continue;
         for (const Vec3& at : *places) {
-            const Vec<2> place = inPlane(at);
+            const Vec2 place = inPlane(at);
             const bool known = std::ranges::any_of(
-                points, [&](const Vec<2>& p) { return (p - place).norm() <= 2 * tolerance; });
+                points, [&](const Vec2& p) { return (p - place).norm() <= 2 * tolerance; });
             if (!known && belongs(outline, place, tolerance)) points.push_back(place);
         }
     }
@@ -71,7 +71,7 @@ double outlineSlack(const Domain& domain) {
 
 }  // namespace
 
-bool isInOutline(const Outline& outline, const Vec<2>& p) {
+bool isInOutline(const Outline& outline, const Vec2& p) {
     return belongs(outline, p, kCoincident * outlineDiagonal(outline));
 }
 
@@ -109,7 +109,7 @@ std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const
         for (const SoftRegion& region : layer.regions)
             sizes.push_back({inPlane(region.shape), region.feather, layer.value});
     if (!sizes.empty())
-        options.factor = [&sizes](const Vec<2>& p) {
+        options.factor = [&sizes](const Vec2& p) {
             double factor = 1;
             for (const Size& size : sizes)
                 factor += membership<2>(size.shape, p, size.feather) * (size.factor - factor);
@@ -177,17 +177,17 @@ const SimplicialMesh<2>& restInPixels(const Shape<2>& shape) {
     return shape.texture ? *shape.texture->rest : *shape.rest;
 }
 
-Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose) {
+Points2 inPixels(const Shape<2>& shape, const Points2& pose) {
     return shape.texture ? shape.texture->toPixels(shape.texture->withRiders(pose)) : pose;
 }
 
-Points<2> Texture::withRiders(const Points<2>& pose) const {
+Points2 Texture::withRiders(const Points2& pose) const {
     if (riders.empty()) return pose;
-    Points<2> points(2, rest->vertexCount());
+    Points2 points(2, rest->vertexCount());
     points.leftCols(pose.cols()) = pose;
     Eigen::Index at = pose.cols();
     for (const Rider& rider : riders) {
-        const Points<2> own = rider.embedding.carry(rider.host, pose);
+        const Points2 own = rider.embedding.carry(rider.host, pose);
         points.middleCols(at, own.cols()) = own;
         at += own.cols();
     }

@@ -17,7 +17,7 @@ std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string
 Outline domainOutline(const Domain& domain, const Image& picture);
 
 /// Returns whether the mesher takes the point: inside by the even-odd rule, or on the border within rounding.
-bool isInOutline(const Outline& outline, const Vec<2>& p);
+bool isInOutline(const Outline& outline, const Vec2& p);
 
 /// The mesh of an outline; points of handles that are there from the start become vertices.
 std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design& design,

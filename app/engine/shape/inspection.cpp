@@ -165,12 +165,12 @@ void inspectPartition(const SimplicialMesh<Dim>& mesh, MeshInspection& inspectio
 }
 
 /// Returns whether squares or volumes of lengths overflow.
-bool isBeyondNumbers(const Points<3>& points) {
+bool isBeyondNumbers(const Points3& points) {
     const double spread = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
     return spread > 0 && !(spread > 1e-100 && spread < 1e100);
 }
 
-std::vector<int> coincident(const Points<3>& points) {
+std::vector<int> coincident(const Points3& points) {
     std::map<std::array<double, 3>, int> first;
     std::vector<int> found;
     for (int v = 0; v < static_cast<int>(points.cols()); ++v)

@@ -31,18 +31,18 @@ class ToPixels {
           m_scale(width / (box.max.x() - box.min.x()), height / (box.max.y() - box.min.y())) {
         if (up) m_scale.y() = -m_scale.y();
     }
-    Vec<2> operator()(const Vec<2>& p) const { return (p - m_corner).cwiseProduct(m_scale); }
+    Vec2 operator()(const Vec2& p) const { return (p - m_corner).cwiseProduct(m_scale); }
 
   private:
-    Vec<2> m_corner, m_scale;
+    Vec2 m_corner, m_scale;
 };
 
 /// Calls the function for every pixel whose centre is inside the triangle.
 template <class Take>
-void forPixelsIn(const std::array<Vec<2>, 3>& corners, int width, int height, const Take& take) {
-    Vec<2> low = corners[0], high = corners[0];
-    for (const Vec<2>& p : corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const Vec<2> u = corners[1] - corners[0], v = corners[2] - corners[0];
+void forPixelsIn(const std::array<Vec2, 3>& corners, int width, int height, const Take& take) {
+    Vec2 low = corners[0], high = corners[0];
+    for (const Vec2& p : corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const Vec2 u = corners[1] - corners[0], v = corners[2] - corners[0];
     const double area = u.x() * v.y() - u.y() * v.x();
     if (area == 0) return;
     const auto first = [](double x) { return static_cast<int>(std::ceil(std::max(x, 0.0) - 0.5)); };
@@ -50,21 +50,20 @@ void forPixelsIn(const std::array<Vec<2>, 3>& corners, int width, int height, co
     const int bottom = static_cast<int>(std::min<double>(height, std::floor(high.y() + 0.5)));
     for (int y = std::max(0, first(low.y())); y < bottom; ++y)
         for (int x = std::max(0, first(low.x())); x < right; ++x) {
-            const Vec<2> w = Vec<2>(x + 0.5, y + 0.5) - corners[0];
+            const Vec2 w = Vec2(x + 0.5, y + 0.5) - corners[0];
             const double a = (w.x() * v.y() - w.y() * v.x()) / area;
             const double b = (u.x() * w.y() - u.y() * w.x()) / area;
             if (a >= 0 && b >= 0 && a + b <= 1) take(x, y);
         }
 }
 
-std::array<Vec<2>, 3> cornersOf(const SimplicialMesh<2>& rest, const Cell<2>& cell,
-                                const ToPixels& toPixels) {
+std::array<Vec2, 3> cornersOf(const SimplicialMesh<2>& rest, const Cell<2>& cell, const ToPixels& toPixels) {
     return {toPixels(rest.points.col(cell[0])), toPixels(rest.points.col(cell[1])),
             toPixels(rest.points.col(cell[2]))};
 }
 
 /// Returns the angle of an axis to the horizontal, in [0, 1[ half turns.
-double halfTurns(const Vec<2>& axis, bool up) {
+double halfTurns(const Vec2& axis, bool up) {
     const double turns = std::atan2(up ? axis.y() : -axis.y(), axis.x()) / kPi;
     return turns - std::floor(turns);
 }
@@ -105,11 +104,11 @@ class GrayPicture {
 
     /// Returns the mean over a triangle, or at its centroid if it contains no pixel centre.
     template <class Mean>
-    Found over(const std::array<Vec<2>, 3>& corners, Mean mean) const {
+    Found over(const std::array<Vec2, 3>& corners, Mean mean) const {
         forPixelsIn(corners, m_width, m_height, [&](int x, int y) { add(mean, x, y, 1); });
         if (!mean.isEmpty()) return mean.found();
-        const Vec<2> middle = (corners[0] + corners[1] + corners[2]) / 3 - Vec<2>(0.5, 0.5);
-        const Vec<2> from = middle.array().floor(), part = middle - from;
+        const Vec2 middle = (corners[0] + corners[1] + corners[2]) / 3 - Vec2(0.5, 0.5);
+        const Vec2 from = middle.array().floor(), part = middle - from;
         for (const int dx : {0, 1})
             for (const int dy : {0, 1})
                 add(mean, std::clamp(static_cast<int>(from.x()) + dx, 0, m_width - 1),
@@ -195,10 +194,10 @@ std::string MaterialPictures::*fileOf(MaterialPart part) {
 }
 
 PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest) {
-    if (width > 0) return {{Vec<2>::Zero(), Vec<2>(width, height)}, false, width, height};
+    if (width > 0) return {{Vec2::Zero(), Vec2(width, height)}, false, width, height};
     const Box<2> box{rest.points.rowwise().minCoeff(), rest.points.rowwise().maxCoeff()};
-    const Vec<2> size = box.max - box.min;
-    const Vec<2> pixels = (kMeshPixels / size.maxCoeff() * size).cwiseMax(1);
+    const Vec2 size = box.max - box.min;
+    const Vec2 pixels = (kMeshPixels / size.maxCoeff() * size).cwiseMax(1);
     return {box, true, static_cast<int>(std::lround(pixels.x())), static_cast<int>(std::lround(pixels.y()))};
 }
 
@@ -239,18 +238,18 @@ void layPictures(const MaterialRegion& region, const SimplicialMesh<2>& rest, co
     const auto stiff = laid(region.pictures.stiffness, folder, region);
     const auto direction = laid(region.pictures.direction, folder, region);
     if ((stiff || direction) && material.anisotropy.empty())
-        material.anisotropy.assign(rest.cells.size(), Mat<2>::Identity());
+        material.anisotropy.assign(rest.cells.size(), Mat2::Identity());
     const Region<2> shape = inPlane(region.shape);
     for (int c = 0; c < rest.cellCount(); ++c) {
         const Cell<2>& cell = rest.cells[c];
-        const Vec<2> centre =
+        const Vec2 centre =
             (rest.points.col(cell[0]) + rest.points.col(cell[1]) + rest.points.col(cell[2])) / 3;
         const double m = membership<2>(shape, centre, region.feather);
         if (m <= 0) continue;
         if (const Found keep = found<MeanOfNumbers>(phi, rest, cell); keep.weight > 0)
             material.phi[c] += m * keep.weight * (phiAtStop(kLastStop * keep.value, 2) - material.phi[c]);
         if (!stiff && !direction) continue;
-        Mat<2>& B = material.anisotropy[c];
+        Mat2& B = material.anisotropy[c];
         Stiffness next = stiffnessOf<2>(B);
         const Found ratio = found<MeanOfNumbers>(stiff, rest, cell);
         const Found turns = found<MeanOfDirections>(direction, rest, cell);

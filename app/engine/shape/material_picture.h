@@ -21,7 +21,7 @@ std::string MaterialPictures::*fileOf(MaterialPart part);
 
 /// Placement of material pictures: over the shape's picture pixel by pixel, or around its mesh.
 struct PictureFrame {
-    Box<2> box{Vec<2>::Zero(), Vec<2>::Zero()};
+    Box<2> box{Vec2::Zero(), Vec2::Zero()};
     bool up = false;  // the first row has the largest y
     int width = 0, height = 0;
 };

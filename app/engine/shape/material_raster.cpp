@@ -105,7 +105,7 @@ class WallNormals {
         return m_surface.contact(Dim == 2 ? Track::Line : Track::Face, p).normals.col(0);
     }
     double distance(const Vec<Dim>& p) const {
-        Vec<3> at = Vec<3>::Zero();
+        Vec3 at = Vec3::Zero();
         at.head<Dim>() = p;
         const TriangleTree::Nearest nearest = m_tree.nearest(at);
         for (int k = 0; k < 3; ++k)
@@ -117,7 +117,7 @@ class WallNormals {
 
   private:
     const GuideSurface<Dim> m_surface;
-    Points<3> m_points;
+    Points3 m_points;
     std::vector<std::array<int, 3>> m_facets;  // a segment is a triangle of no area
     TriangleTree m_tree;
 };
@@ -232,7 +232,7 @@ std::shared_ptr<const Material<Dim>> rasterizeMaterial(const MaterialSpec& given
         std::make_shared<Material<Dim>>(Material<Dim>::uniform(rest.cellCount(), spec.phi, spec.smoothing));
     material->memory = spec.memory;
     if (!spec.cellPhi.empty()) material->phi = spec.cellPhi;
-    for (const Mat<3>& B : spec.cellB) material->anisotropy.push_back(B.template topLeftCorner<Dim, Dim>());
+    for (const Mat3& B : spec.cellB) material->anisotropy.push_back(B.template topLeftCorner<Dim, Dim>());
     layLayers<Dim>(spec.layers, rest, folder, *material);
     return material;
 }

@@ -26,10 +26,10 @@ Box<Dim> boxAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cell
     return {box.min.array() - room, box.max.array() + room};
 }
 
-double twiceArea(const std::vector<Vec<2>>& loop) {
+double twiceArea(const std::vector<Vec2>& loop) {
     double twice = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec<2>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+        const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
         twice += a.x() * b.y() - b.x() * a.y();
     }
     return std::abs(twice);
@@ -92,24 +92,24 @@ WEND_INSTANTIATE(2);
 WEND_INSTANTIATE(3);
 #undef WEND_INSTANTIATE
 
-std::optional<Vec<2>> jointPlace(const SimplicialMesh<2>& rest, const std::string& part,
-                                 const std::string& other) {
+std::optional<Vec2> jointPlace(const SimplicialMesh<2>& rest, const std::string& part,
+                               const std::string& other) {
     const auto own = std::ranges::find(rest.parts, part, &MeshPart::name),
                to = std::ranges::find(rest.parts, other, &MeshPart::name);
     if (own == rest.parts.end() || to == rest.parts.end()) return std::nullopt;
     const std::vector<Cell<2>> ownCells = cellsOfPart(rest, *own), otherCells = cellsOfPart(rest, *to);
     const PointLocator<2> inOwn(rest.points, ownCells), inOther(rest.points, otherCells);
-    std::vector<Vec<2>> shared;
-    Vec<2> middle = Vec<2>::Zero();
+    std::vector<Vec2> shared;
+    Vec2 middle = Vec2::Zero();
     for (int v = own->firstVertex; v < own->endVertex; ++v)
-        if (const Vec<2> p = rest.points.col(v); inOther.find(p)) {
+        if (const Vec2 p = rest.points.col(v); inOther.find(p)) {
             shared.push_back(p);
             middle += p;
         }
     if (shared.empty()) return std::nullopt;
     middle /= static_cast<double>(shared.size());
     if (inOwn.find(middle) && inOther.find(middle)) return middle;
-    return *std::ranges::min_element(shared, {}, [&](const Vec<2>& p) { return (p - middle).squaredNorm(); });
+    return *std::ranges::min_element(shared, {}, [&](const Vec2& p) { return (p - middle).squaredNorm(); });
 }
 
 }  // namespace wend

@@ -24,7 +24,7 @@ namespace {
 constexpr int kGap = 8;  // transparent pixels around the cut
 
 /// How far a point is inside the cut, in [0, 1].
-float cutAt(const PicturePart& part, const Vec<2>& p) {
+float cutAt(const PicturePart& part, const Vec2& p) {
     double inside = 0;
     for (const auto& loop : part.cut.loops) {
         const double own = membership<2>(Polygon{loop}, p, part.feather);
@@ -34,7 +34,7 @@ float cutAt(const PicturePart& part, const Vec<2>& p) {
 }
 
 /// The mean of the cut over a pixel, by 4 × 4 places where its border is near.
-float cutOver(const PicturePart& part, const Vec<2>& centre) {
+float cutOver(const PicturePart& part, const Vec2& centre) {
     constexpr int kPlaces = 4;
     double nearest = INFINITY;
     for (const auto& loop : part.cut.loops)
@@ -43,15 +43,15 @@ float cutOver(const PicturePart& part, const Vec<2>& centre) {
     float sum = 0;
     for (int j = 0; j < kPlaces; ++j)
         for (int i = 0; i < kPlaces; ++i)
-            sum += cutAt(part, centre + Vec<2>(i + 0.5 - kPlaces / 2, j + 0.5 - kPlaces / 2) / kPlaces);
+            sum += cutAt(part, centre + Vec2(i + 0.5 - kPlaces / 2, j + 0.5 - kPlaces / 2) / kPlaces);
     return sum / (kPlaces * kPlaces);
 }
 
 /// The pixels of a picture that a cut may take something of, with a gap around them.
 PixelBox boxOf(const PicturePart& part, const Sheet& from) {
-    Vec<2> low = Vec<2>::Constant(INFINITY), high = -low;
+    Vec2 low = Vec2::Constant(INFINITY), high = -low;
     for (const auto& loop : part.cut.loops)
-        for (const Vec<2>& p : loop) low = low.cwiseMin(p - from.at), high = high.cwiseMax(p - from.at);
+        for (const Vec2& p : loop) low = low.cwiseMin(p - from.at), high = high.cwiseMax(p - from.at);
     const Image& picture = *from.picture;
     const double most = 1.0 + std::max(picture.width, picture.height);
     const auto pixel = [&](double x) { return static_cast<int>(std::floor(std::clamp(x, -most, most))); };
@@ -62,12 +62,12 @@ PixelBox boxOf(const PicturePart& part, const Sheet& from) {
 }
 
 /// How much of each pixel of a box a cut takes.
-std::vector<float> sharesIn(const PicturePart& part, const Vec<2>& at, const PixelBox& box) {
+std::vector<float> sharesIn(const PicturePart& part, const Vec2& at, const PixelBox& box) {
     std::vector<float> shares;
     shares.reserve(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x)
-            shares.push_back(cutOver(part, at + Vec<2>(x + 0.5, y + 0.5)));
+            shares.push_back(cutOver(part, at + Vec2(x + 0.5, y + 0.5)));
     return shares;
 }
 
@@ -186,7 +186,7 @@ class PartReader {
     /// Sets place, opacity and visibility of a sheet: the project's, otherwise those of the layer's file.
     void place(const PicturePart& part, Sheet& sheet) {
         sheet.opacity = part.opacity;
-        sheet.at = part.at.value_or(Vec<2>::Zero());
+        sheet.at = part.at.value_or(Vec2::Zero());
         if (!part.layer.empty()) {
             const std::string path = pathIn(m_folder, part.path);
             const LayersOfFile& file = layersOf(path);
@@ -367,7 +367,7 @@ CutPictures cutOut(const PicturePart& part, const Sheet& from, std::vector<Messa
         notices->push_back("the ground behind \"" + part.name +
                            "\" is not filled: the program gmic is not installed");
     CutPictures pictures = fills ? cutFilled(from, box, shares, stop) : cutOpen(from, box, shares);
-    pictures.taken.at = from.at + Vec<2>(box.x, box.y);
+    pictures.taken.at = from.at + Vec2(box.x, box.y);
     return pictures;
 }
 

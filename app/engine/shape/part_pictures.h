@@ -35,7 +35,7 @@ struct PartSource {
 /// A cut that has been made, and what it was made of.
 struct PartCut {
     std::shared_ptr<const Image> whole;
-    Vec<2> at;
+    Vec2 at;
     Outline cut;
     double feather = 0;
     bool fill = false;

@@ -98,7 +98,7 @@ class PartedShape {
         Outline outline = domainOutline(own, *sheet.picture);
         if (own.outline == OutlineKind::Polygons) return outline;
         for (auto& loop : outline.loops)
-            for (Vec<2>& p : loop) p += sheet.at;
+            for (Vec2& p : loop) p += sheet.at;
         return outline;
     } catch (const InputError& error) {
         throw InputError(keyOf(part) + ": " + error.message());
@@ -119,7 +119,7 @@ class PartedShape {
     }
 
     /// The frontmost part with a mesh that has the place; none: the number of parts.
-    std::size_t frontmostAt(const Vec<2>& p) const {
+    std::size_t frontmostAt(const Vec2& p) const {
         std::size_t i = 0;
         while (i < parts().size() && !(parts()[i].ridesOn.empty() && isInOutline(m_cache.outlines[i], p)))
             ++i;
@@ -204,12 +204,12 @@ class PartedShape {
         m_shape.rest = std::make_shared<const SimplicialMesh<2>>(std::move(m_rest));
     }
 
-    std::vector<Vec<2>> placesOf(const std::string& name, const Joint& joint) const {
-        std::vector<Vec<2>> places{joint.at};
+    std::vector<Vec2> placesOf(const std::string& name, const Joint& joint) const {
+        std::vector<Vec2> places{joint.at};
         const auto own = std::ranges::find(m_rest.parts, name, &MeshPart::name);
         const Outline& other = m_cache.outlines[placeOf(joint.to)];
         for (int v = own->firstVertex; joint.radius > 0 && v < own->endVertex; ++v) {
-            const Vec<2> p = m_rest.points.col(v);
+            const Vec2 p = m_rest.points.col(v);
             if (p != joint.at && (p - joint.at).norm() <= joint.radius && isInOutline(other, p))
                 places.push_back(p);
         }
@@ -218,11 +218,11 @@ class PartedShape {
 
     void weld(const std::string& name, const Joint& joint, const HandlePlacer<2>& placer,
               std::vector<Weld>& welds) const {
-        for (const Vec<2>& place : placesOf(name, joint)) {
+        for (const Vec2& place : placesOf(name, joint)) {
             Weld& weld = welds.emplace_back();
             for (const auto& [part, sign] : {std::pair{name, 1.0}, {joint.to, -1.0}}) {
                 Handle<2> point;
-                point.at = std::vector<Vec<2>>{place};
+                point.at = std::vector<Vec2>{place};
                 point.part = part;
                 for (const auto& [vertex, weight] : termsOf(placer, point, part))
                     weld.terms.emplace_back(vertex, sign * weight);
@@ -263,7 +263,7 @@ class PartedShape {
     SimplicialMesh<2> inAtlas(SimplicialMesh<2> drawn) const {
         for (const MeshPart& part : drawn.parts) {
             const std::size_t i = placeOf(part.name);
-            const Vec<2> shift = m_cache.places[i] - m_cache.pictures.sheets[i].at;
+            const Vec2 shift = m_cache.places[i] - m_cache.pictures.sheets[i].at;
             drawn.points.middleCols(part.firstVertex, part.endVertex - part.firstVertex).colwise() += shift;
         }
         drawn.welds.clear();

@@ -16,7 +16,7 @@ struct PartedCache {
     std::vector<Outline> outlines;
     std::vector<Sheet> atlasOf;
     std::shared_ptr<const Image> atlas;
-    std::vector<Vec<2>> places;  // of the sheets in it
+    std::vector<Vec2> places;  // of the sheets in it
 };
 
 /// Returns the shape of a picture of parts, without material. Each part has an outline and a mesh of its own;

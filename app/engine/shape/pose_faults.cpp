@@ -27,7 +27,7 @@ struct Crossed {
 
 constexpr int kMostPairs = 1000000;  // of a shape that is crumpled beyond counting
 
-std::vector<Crossed> crossedIn(const Points<2>& points, const Facets<2>& edges) {
+std::vector<Crossed> crossedIn(const Points2& points, const Facets<2>& edges) {
     std::vector<Segment> segments;
     segments.reserve(edges.size());
     for (const auto& [a, b] : edges) segments.push_back({points.col(a), points.col(b)});
@@ -36,10 +36,10 @@ std::vector<Crossed> crossedIn(const Points<2>& points, const Facets<2>& edges) 
     return crossed;
 }
 
-std::vector<Crossed> crossedIn(const Points<3>& points, const Facets<3>& triangles) {
+std::vector<Crossed> crossedIn(const Points3& points, const Facets<3>& triangles) {
     std::vector<Crossed> crossed;
     for (const auto& pair : checkSurface({points, triangles, {}}, kMostPairs).intersecting) {
-        Vec<3> middle = Vec<3>::Zero();
+        Vec3 middle = Vec3::Zero();
         for (const int t : pair)
             for (const int v : triangles[t]) middle += points.col(v) / 6;
         crossed.push_back({pair, middle});
@@ -234,8 +234,8 @@ std::string blownText(const PoseFaults<Dim>& faults) {
 
 template struct PoseFaults<2>;
 template struct PoseFaults<3>;
-template PoseFaults<2> faultsOf<2>(const Shape<2>&, const Points<2>&);
-template PoseFaults<3> faultsOf<3>(const Shape<3>&, const Points<3>&);
+template PoseFaults<2> faultsOf<2>(const Shape<2>&, const Points2&);
+template PoseFaults<3> faultsOf<3>(const Shape<3>&, const Points3&);
 template std::string crossingText<2>(const PoseFaults<2>&);
 template std::string crossingText<3>(const PoseFaults<3>&);
 template std::string blownText<2>(const PoseFaults<2>&);

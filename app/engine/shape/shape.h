@@ -22,10 +22,10 @@ struct MeshFile;
 
 /// p ↦ A p + b: the picture's pixels of a point in the domain's coordinates.
 struct PictureMap {
-    Mat<2> A = Mat<2>::Identity();
-    Vec<2> b = Vec<2>::Zero();
+    Mat2 A = Mat2::Identity();
+    Vec2 b = Vec2::Zero();
 
-    Points<2> operator()(const Points<2>& points) const { return (A * points).colwise() + b; }
+    Points2 operator()(const Points2& points) const { return (A * points).colwise() + b; }
 };
 
 /// A part that follows the map of another one and has no mesh in the equations.
@@ -45,7 +45,7 @@ struct Texture {
     int width = 0, height = 0;                            // of the plane that is rendered
 
     /// Returns the vertices that are drawn of a pose, in domain coordinates.
-    Points<2> withRiders(const Points<2>& pose) const;
+    Points2 withRiders(const Points2& pose) const;
     /// Returns how each part is combined with what is below it; nothing if all are normal.
     std::vector<BlendMode> blends() const;
 };
@@ -87,7 +87,7 @@ using AnyShape = std::variant<Shape<2>, Shape<3>>;
 
 /// Returns the coordinates of points of space in the shape's rest: for a flat mesh, those in its plane.
 template <int Dim>
-Points<Dim> ownCoordinates(const Shape<Dim>& shape, const Points<3>& points) {
+Points<Dim> ownCoordinates(const Shape<Dim>& shape, const Points3& points) {
     if constexpr (Dim == 2)
         return shape.plane.toPlane(points).template topRows<2>();
     else
@@ -95,7 +95,7 @@ Points<Dim> ownCoordinates(const Shape<Dim>& shape, const Points<3>& points) {
 }
 /// Returns where points of space are once their own coordinates are `moved`; the height over a plane stays.
 template <int Dim>
-Points<3> inSpace(const Shape<Dim>& shape, const Points<3>& points, const Points<Dim>& moved) {
+Points3 inSpace(const Shape<Dim>& shape, const Points3& points, const Points<Dim>& moved) {
     if constexpr (Dim == 2)
         return shape.plane.moved(points, moved);
     else
@@ -105,7 +105,7 @@ Points<3> inSpace(const Shape<Dim>& shape, const Points<3>& points, const Points
 /// The mesh that is drawn, at rest in pixels of the picture, and in a pose in the plane that is rendered.
 /// Both are in domain coordinates if there is no picture.
 const SimplicialMesh<2>& restInPixels(const Shape<2>& shape);
-Points<2> inPixels(const Shape<2>& shape, const Points<2>& pose);
+Points2 inPixels(const Shape<2>& shape, const Points2& pose);
 
 /// Returns the same mesh in domain coordinates: the shape's, followed by the parts that are attached to
 /// others.

@@ -38,8 +38,8 @@ bool sameOutline(const Project& a, const Project& b) {
 
 /// The points that become vertices of the mesh, and their parts: those of handles that are there from the
 /// start.
-std::vector<std::pair<std::string, Vec<2>>> startPoints(const ShapeInputs& inputs) {
-    std::vector<std::pair<std::string, Vec<2>>> points;
+std::vector<std::pair<std::string, Vec2>> startPoints(const ShapeInputs& inputs) {
+    std::vector<std::pair<std::string, Vec2>> points;
     for (const Pin& handle : designOf(inputs).handles)
         if (const auto* own = std::get_if<std::vector<Vec3>>(&handle.at); own && handle.activeFrom <= 0)
             for (const Vec3& p : *own) points.emplace_back(handle.part, inPlane(p));

@@ -91,7 +91,7 @@ GapOpener openerOf(const Domain& domain, const Cage& cage) {
     return opener;
 }
 
-std::string textOf(const Vec<3>& place) {
+std::string textOf(const Vec3& place) {
     return '(' + fourDigits(place.x()) + ", " + fourDigits(place.y()) + ", " + fourDigits(place.z()) + ')';
 }
 
@@ -209,7 +209,7 @@ SizeGrid sizesOf(const Domain& domain, const std::string& folder, const Surface&
         painted = readSizes(pathIn(folder, domain.sizesFile), surface.vertexCount());
     const std::vector<Cell<3>> noCells;
     const PointLocator<3> locator(surface.points, noCells);
-    return sampleSizes(surface, [&](const Vec<3>& p) {
+    return sampleSizes(surface, [&](const Vec3& p) {
         double factor = painted.empty() ? 1 : painted[locator.nearestVertex(p)];
         for (const ValueLayer& layer : domain.sizes)
             for (const SoftRegion& region : layer.regions)

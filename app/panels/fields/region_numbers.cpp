@@ -13,21 +13,21 @@ namespace {
 enum Kind { BallKind, BoxKind, HalfKind };
 constexpr int kDirectionDigits = 6;
 
-Vec<3> valuesOf(const std::array<ExactBox*, 3>& boxes) {
+Vec3 valuesOf(const std::array<ExactBox*, 3>& boxes) {
     return {boxes[0]->exact(), boxes[1]->exact(), boxes[2]->exact()};
 }
 
-void put(const std::array<ExactBox*, 3>& boxes, const Vec<3>& values) {
+void put(const std::array<ExactBox*, 3>& boxes, const Vec3& values) {
     for (int k = 0; k < 3; ++k) boxes[k]->put(values[k]);
 }
 
 /// Returns the middle and the reach of any of the three.
-std::pair<Vec<3>, double> extentOf(const Region<3>& region, double fallback) {
+std::pair<Vec3, double> extentOf(const Region<3>& region, double fallback) {
     if (const auto* ball = std::get_if<Ball<3>>(&region)) return {ball->centre, ball->radius};
     if (const auto* box = std::get_if<Box<3>>(&region))
         return {(box->min + box->max) / 2, (box->max - box->min).norm() / (2 * std::sqrt(3.0))};
     if (const auto* half = std::get_if<HalfSpace<3>>(&region)) return {half->point, fallback};
-    return {Vec<3>::Zero(), fallback};
+    return {Vec3::Zero(), fallback};
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ void RegionNumbers::arrange() {
 }
 
 Region<3> RegionNumbers::numbers() const {
-    const Vec<3> a = valuesOf(m_first), b = valuesOf(m_second);
+    const Vec3 a = valuesOf(m_first), b = valuesOf(m_second);
     if (m_kind->currentIndex() == BallKind) return Ball<3>{a, m_radius->exact()};
     if (m_kind->currentIndex() == BoxKind) return Box<3>{a.cwiseMin(b), a.cwiseMax(b)};
     return HalfSpace<3>{a, b};
@@ -81,7 +81,7 @@ void RegionNumbers::chooseKind(int kind) {
     const auto [centre, reach] = extentOf(m_region, 0.1 * m_diagonal);
     Region<3> next = Ball<3>{centre, reach};
     if (kind == BoxKind) next = Box<3>{centre.array() - reach, centre.array() + reach};
-    if (kind == HalfKind) next = HalfSpace<3>{centre, Vec<3>::UnitX()};
+    if (kind == HalfKind) next = HalfSpace<3>{centre, Vec3::UnitX()};
     emit changed(next);
 }
 

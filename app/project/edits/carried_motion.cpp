@@ -33,7 +33,7 @@ void change(PoseMotion<3>& motion, const Carrying& carry) {
 }
 
 void change(Polygon& polygon, const Carrying& carry) {
-    for (Vec<2>& p : polygon.points) p = inPlane(carry(inSpace(p)));
+    for (Vec2& p : polygon.points) p = inPlane(carry(inSpace(p)));
 }
 void change(Ball<3>& ball, const Carrying& carry) {
     ball.centre = carry(ball.centre);

@@ -74,8 +74,8 @@ double armOf(const Pin& handle, double arm) {
     if (const auto* box = std::get_if<Box<3>>(region)) return (box->max - box->min).norm() / 2;
     const auto* polygon = std::get_if<Polygon>(region);
     if (!polygon) return arm;
-    Vec<2> low = polygon->points.front(), high = low;
-    for (const Vec<2>& p : polygon->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    Vec2 low = polygon->points.front(), high = low;
+    for (const Vec2& p : polygon->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
     return (high - low).norm() / 2;
 }
 

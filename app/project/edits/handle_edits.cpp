@@ -312,7 +312,7 @@ std::shared_ptr<const Project> withNames(const std::shared_ptr<const Project>& p
     return differs ? renamed : project;
 }
 
-template std::vector<Vec<2>> simplified<2>(const std::vector<Vec<2>>&, double);
+template std::vector<Vec2> simplified<2>(const std::vector<Vec2>&, double);
 template std::vector<Vec3> simplified<3>(const std::vector<Vec3>&, double);
 template std::vector<Vec<4>> simplified<4>(const std::vector<Vec<4>>&, double);  // with times
 

@@ -18,7 +18,7 @@ constexpr double kSoftEdge = 0.02;    // of full opacity: what of a soft edge is
 
 constexpr double kOnLine = 1e-9;  // pixels
 
-bool isOn(const Outline& outline, const Vec<2>& p) {
+bool isOn(const Outline& outline, const Vec2& p) {
     for (const auto& loop : outline.loops)
         for (std::size_t k = 0; k < loop.size(); ++k)
             if (distanceToSegment<2>(p, loop[k], loop[(k + 1) % loop.size()]) <= kOnLine) return true;

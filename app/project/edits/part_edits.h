@@ -24,7 +24,7 @@ struct NewPart {
     std::string from;  // the part, or the name that the whole picture gets if it has no parts yet
     Outline cut;
     double feather = 0;                // of its edge
-    std::optional<Vec<2>> joint;       // where it is welded to the other one
+    std::optional<Vec2> joint;         // where it is welded to the other one
     std::optional<Box<3>> heldGround;  // what a new handle holds of the other one
 };
 

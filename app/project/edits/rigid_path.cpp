@@ -26,7 +26,7 @@ bool turnsOnly(const PinMotion& motion) {
 }
 
 /// Returns the vector of a rotation that is nearest to another one along its axis.
-RotationVector<3> rotationOf(const Mat<3>& A, const RotationVector<3>& before) {
+RotationVector<3> rotationOf(const Mat3& A, const RotationVector<3>& before) {
     if (A(0, 2) != 0 || A(1, 2) != 0) return rotationVectorOf(Eigen::Quaterniond(A), before);
     const double angle = std::atan2(A(1, 0), A(0, 0)), turn = 2 * EIGEN_PI;  // about z
     return {0, 0, angle + turn * std::round((before.z() - angle) / turn)};
@@ -53,8 +53,8 @@ struct Turn {
     AffineMap<3> map;
 };
 
-Mat<3> quarterTurn(const Vec3& axis) {
-    Mat<3> cross;
+Mat3 quarterTurn(const Vec3& axis) {
+    Mat3 cross;
     cross << 0, -axis[2], axis[1], axis[2], 0, -axis[0], -axis[1], axis[0], 0;
     return cross;
 }
@@ -92,7 +92,7 @@ std::optional<PinMotion> motionOf(const Turn& turn, const Vec3& origin) {
     const double half = std::sin(turn.angle / 2);
     if (std::abs(half) < kWholeTurn) return {};
     if (std::abs(along) <= kRigid * size) {
-        const Mat<3> J = quarterTurn(turn.axis);
+        const Mat3 J = quarterTurn(turn.axis);
         const Vec3 centre = 0.5 * (across + std::cos(turn.angle / 2) / half * (J * across));
         const bool isDown = turn.axis.x() == 0 && turn.axis.y() == 0 && turn.axis.z() < 0;
         return PinMotion{isDown ? Rotate<3>{centre, -turn.axis, -turn.angle}  // as in pictures
@@ -173,7 +173,7 @@ std::optional<PinMotion> ledRigidly(const PinMotion& motion, const MotionTime& p
     RotationVector<3> rotation = RotationVector<3>::Zero();
     for (const double time : poseTimes(part, trajectory.breakTimes())) {
         const AffineMap<3> map = trajectory.at(time, Side::Before).position;
-        if ((map.A.transpose() * map.A - Mat<3>::Identity()).norm() > kRigid) return {};
+        if ((map.A.transpose() * map.A - Mat3::Identity()).norm() > kRigid) return {};
         const double share = (time - part.start) / (part.end - part.start);
         rotation = rotationOf(map.A, rotation);
         poses.times.push_back(time);

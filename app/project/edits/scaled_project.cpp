@@ -18,7 +18,7 @@ namespace {
 
 void scale(Outline& outline, double factor) {
     for (auto& loop : outline.loops)
-        for (Vec<2>& p : loop) p *= factor;
+        for (Vec2& p : loop) p *= factor;
 }
 
 void scale(AlphaOutlineOptions& options, double factor) {

@@ -195,13 +195,13 @@ std::vector<double> readMatrixNumbers(const JsonValue& value) {
 }
 
 /// Returns a symmetric positive definite matrix: see matrixFrom().
-Mat<3> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
+Mat3 checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& value) {
     const int d = value.dimension();
     const std::size_t all = static_cast<std::size_t>(d * d), half = symmetricNumbers(d);
     if (numbers.size() != all && numbers.size() != half)
         value.fail("has " + std::to_string(numbers.size()) + " numbers where a matrix needs " +
                    std::to_string(all) + ", or " + std::to_string(half) + " as it is symmetric");
-    const Mat<3> B = matrixFrom(numbers, d);
+    const Mat3 B = matrixFrom(numbers, d);
     if ((B - B.transpose()).cwiseAbs().maxCoeff() > 1e-12 * B.cwiseAbs().maxCoeff())
         value.fail("B is not symmetric");
     const double least = d == 2 ? symmetricEigenvalues<2>(B.topLeftCorner<2, 2>()).minCoeff()
@@ -212,8 +212,8 @@ Mat<3> checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& va
 
 /// One matrix per cell, each a list or a list of rows; or the numbers of all of them in one list, so many for
 /// each as a matrix has if that can be, else as a symmetric one has.
-std::vector<Mat<3>> readAnisotropies(const JsonValue& value) {
-    std::vector<Mat<3>> all;
+std::vector<Mat3> readAnisotropies(const JsonValue& value) {
+    std::vector<Mat3> all;
     const bool isPlain = value.json().is_array() && !value.json().empty() && value.json().front().is_number();
     if (!isPlain) {
         for (const JsonValue& element : value.elements())

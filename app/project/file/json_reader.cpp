@@ -144,8 +144,8 @@ std::vector<Vec3> JsonValue::points() const {
     return all;
 }
 
-std::vector<Vec<2>> JsonValue::flatPoints() const {
-    std::vector<Vec<2>> all;
+std::vector<Vec2> JsonValue::flatPoints() const {
+    std::vector<Vec2> all;
     for (const JsonValue& element : elements()) all.push_back(element.flatPoint());
     return all;
 }

@@ -60,8 +60,8 @@ class JsonValue {
     Vec3 point() const;
     std::vector<Vec3> points() const;
     /// Returns a point of the plane, which has two coordinates.
-    Vec<2> flatPoint() const { return inPlane(ofDimension(2).point()); }
-    std::vector<Vec<2>> flatPoints() const;
+    Vec2 flatPoint() const { return inPlane(ofDimension(2).point()); }
+    std::vector<Vec2> flatPoints() const;
 
   private:
     const Json* m_json;

@@ -13,8 +13,8 @@ constexpr std::size_t symmetricNumbers(int dimension) {
 
 /// Returns the matrix of d² numbers, row by row; or of symmetricNumbers(d) in the order of VTK: xx, yy, xy in
 /// the plane, xx, yy, zz, xy, yz, xz in space. In the plane it leaves z as it is.
-inline Mat<3> matrixFrom(const std::vector<double>& numbers, int dimension) {
-    Mat<3> matrix = Mat<3>::Identity();
+inline Mat3 matrixFrom(const std::vector<double>& numbers, int dimension) {
+    Mat3 matrix = Mat3::Identity();
     const auto at = [&](int place) { return numbers[static_cast<std::size_t>(place)]; };
     if (numbers.size() == static_cast<std::size_t>(dimension * dimension)) {
         for (int i = 0; i < dimension; ++i)

@@ -105,7 +105,7 @@ class PlaceFinder {
         auto wall = std::make_shared<GuideMesh<3>>();
         if (m_dimension == 2) {
             const GroupFacets<2> found = groupFacets<2>(*m_file, group);
-            wall->points = Points<3>::Zero(3, found.points.cols());
+            wall->points = Points3::Zero(3, found.points.cols());
             wall->points.topRows<2>() = found.points;
             wall->segments = found.facets;
         } else {

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 /// The outline of a cut for which the file gives none.
 const PartOutline kCutOutline{OutlineKind::Alpha, {}, {}};
 
-Json pointJson(const Vec<2>& p) {
+Json pointJson(const Vec2& p) {
     return Json::array({numberJson(p.x()), numberJson(p.y())});
 }
 
@@ -26,7 +26,7 @@ Json polygonsJson(const Outline& outline) {
     Json json = Json::array();
     for (const auto& loop : outline.loops) {
         Json points = Json::array();
-        for (const Vec<2>& p : loop) points.push_back(pointJson(p));
+        for (const Vec2& p : loop) points.push_back(pointJson(p));
         json.push_back(points);
     }
     return json;

@@ -52,7 +52,7 @@ class ProjectJson {
             Overloaded{
                 [this](const Polygon& polygon) {
                     Json corners = Json::array();
-                    for (const Vec<2>& p : polygon.points) corners.push_back(point(inSpace(p)));
+                    for (const Vec2& p : polygon.points) corners.push_back(point(inSpace(p)));
                     return Json{{"polygon", corners}};
                 },
                 [this](const Ball<3>& ball) {
@@ -174,7 +174,7 @@ class ProjectJson {
     Json cellsJson(const MaterialSpec& spec) const {
         Json json = Json::object();
         for (double phi : spec.cellPhi) json["phi"].push_back(numberJson(phi));
-        for (const Mat<3>& B : spec.cellB) {
+        for (const Mat3& B : spec.cellB) {
             Json& rows = json["B"].emplace_back(Json::array());
             for (int i = 0; i < m_dimension; ++i)
                 for (int j = 0; j < m_dimension; ++j) rows.push_back(numberJson(B(i, j)));

@@ -52,7 +52,7 @@ void change(PoseMotion<3>& motion, const Mirror& mirror) {
 }
 
 void change(Polygon& polygon, const Mirror& mirror) {
-    for (Vec<2>& p : polygon.points) p = inPlane(mirror(inSpace(p)));
+    for (Vec2& p : polygon.points) p = inPlane(mirror(inSpace(p)));
 }
 void change(Ball<3>& ball, const Mirror& mirror) {
     ball.centre = mirror(ball.centre);

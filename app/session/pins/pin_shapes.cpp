@@ -96,7 +96,7 @@ double angleAt(const ShapeSession& session, int handle) {
     const FramePtr frame = shapeOf(session);
     for (const PinView& pin : session.gestures().pins(true)) {
         if (!frame || pin.handle != handle || pin.places.empty()) continue;
-        const Mat<3> R = frame->rotationOf(pin.places.front().cell);
+        const Mat3 R = frame->rotationOf(pin.places.front().cell);
         return std::atan2(R(1, 0), R(0, 0));
     }
     return 0;

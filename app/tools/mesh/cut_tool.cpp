@@ -19,20 +19,20 @@ void CutTool::choosePlane(const CutPlane& plane) {
 void CutTool::placeInMiddle() {
     const auto frame = session().motion().frame<3>();
     if (!frame) return;
-    const Vec<3> way = view().viewDirection();
+    const Vec3 way = view().viewDirection();
     CutPlane plane = m_plane;
     plane.point = (frame->pose.rowwise().minCoeff() + frame->pose.rowwise().maxCoeff()) / 2;
     if (m_chosenIn != session().document().generation()) {
         int axis = 0;
         way.cwiseAbs().maxCoeff(&axis);
-        plane.normal = Vec<3>::Unit(axis);
+        plane.normal = Vec3::Unit(axis);
     }
     if (plane.normal.dot(way) > 0) plane.normal = -plane.normal;
     setPlane(plane);
 }
 
 void CutTool::place() {
-    Mat<3> axes;
+    Mat3 axes;
     axes.col(2) = m_plane.normal.normalized();
     axes.col(0) = axes.col(2).unitOrthogonal();
     axes.col(1) = axes.col(2).cross(axes.col(0));
@@ -71,7 +71,7 @@ void CutTool::move(const QMouseEvent& event) {
     const Amount amount = m_manipulator.drag(view(), event.position());
     const Grip grip = m_manipulator.grip(view());
     m_plane.point = carried(grip, amount, m_start.point);
-    m_plane.normal = carried(grip, amount, Vec<3>(m_start.point + m_start.normal)) - m_plane.point;
+    m_plane.normal = carried(grip, amount, Vec3(m_start.point + m_start.normal)) - m_plane.point;
     m_changed(m_plane);
 }
 

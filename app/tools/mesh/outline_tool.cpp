@@ -33,9 +33,9 @@ constexpr QRgb kAway = 0xB3261E;
 constexpr double kThin = 3;               // pixels of the screen below which a shape counts as a line
 const QColor kLeftOut(90, 92, 100, 150);  // a veil
 
-Outline shifted(Outline outline, const Vec<2>& by) {
+Outline shifted(Outline outline, const Vec2& by) {
     for (auto& loop : outline.loops)
-        for (Vec<2>& p : loop) p += by;
+        for (Vec2& p : loop) p += by;
     return outline;
 }
 
@@ -285,15 +285,15 @@ Outline OutlineTool::inPicture(const QPainterPath& area) const {
 
 /// Returns the drawn line as a band of width kSlit. The normal of a corner is the mean of its sides' normals.
 Outline OutlineTool::slit(double tolerance) const {
-    std::vector<Vec<2>> way;
+    std::vector<Vec2> way;
     for (const QPointF& p : m_line) way.push_back(view().toShape(p));
     way = wend::simplified<2>(way, tolerance);
     if (way.size() < 2) return {};
-    const auto side = [&](std::size_t i) { return Vec<2>((way[i + 1] - way[i]).unitOrthogonal()); };
-    std::vector<Vec<2>> loop(2 * way.size());
+    const auto side = [&](std::size_t i) { return Vec2((way[i + 1] - way[i]).unitOrthogonal()); };
+    std::vector<Vec2> loop(2 * way.size());
     for (std::size_t i = 0; i < way.size(); ++i) {
-        const Vec<2> before = side(i > 0 ? i - 1 : 0), after = side(std::min(i, way.size() - 2));
-        const Vec<2> sum = before + after, normal = sum.norm() > 0.1 ? sum.normalized() : before;
+        const Vec2 before = side(i > 0 ? i - 1 : 0), after = side(std::min(i, way.size() - 2));
+        const Vec2 sum = before + after, normal = sum.norm() > 0.1 ? sum.normalized() : before;
         loop[i] = way[i] + kSlit / 2 * normal;
         loop[loop.size() - 1 - i] = way[i] - kSlit / 2 * normal;
     }
@@ -364,7 +364,7 @@ bool OutlineTool::isLive() const {
     return m_taken && m_taken->after == session().document().project();
 }
 
-Outline OutlineTool::outlineOfColourAt(const Vec<2>& at) const {
+Outline OutlineTool::outlineOfColourAt(const Vec2& at) const {
     const Sheet own = sheet();
     if (!own.picture) return {};
     return shifted(outlineOfColour(*own.picture, at - own.at, m_pen.now().tolerance), own.at);
@@ -436,12 +436,12 @@ void OutlineTool::paintOutline(QPainter& painter) const {
     const auto whole = wholeOf(*session().document().project());
     for (const auto& loop : outlineOf(domainOf(*whole)).loops) {
         QPolygonF polygon;
-        for (const Vec<2>& p : loop) polygon << view().toWidget(p);
+        for (const Vec2& p : loop) polygon << view().toWidget(p);
         path.addPolygon(polygon);
         path.closeSubpath();
     }
     QPainterPath all;
-    const Vec<2> end = own.at + Vec<2>(own.picture->width, own.picture->height);
+    const Vec2 end = own.at + Vec2(own.picture->width, own.picture->height);
     all.addRect(QRectF(view().toWidget(own.at), view().toWidget(end)));
     all.addPath(path);  // even-odd rule: removes the area
     painter.setPen(Qt::NoPen);

@@ -58,7 +58,7 @@ class OutlineTool : public ShapeTool<PictureShapeView> {
     Sheet sheet() const;
     std::shared_ptr<const Project> wholeOf(const Project& project) const;
     const Outline& outlineOf(const Domain& domain) const;
-    Outline outlineOfColourAt(const Vec<2>& at) const;
+    Outline outlineOfColourAt(const Vec2& at) const;
     std::shared_ptr<const Project> withOutline(const Project& project, Outline outline, int& pinsGone) const;
     void finish(Qt::KeyboardModifiers modifiers);
     void takeColour(const QMouseEvent& event);
@@ -77,7 +77,7 @@ class OutlineTool : public ShapeTool<PictureShapeView> {
     QPointF m_at;
     struct Known {  // the outline that follows from the picture
         std::shared_ptr<const Image> picture;
-        Vec<2> at = Vec<2>::Zero();
+        Vec2 at = Vec2::Zero();
         OutlineKind kind = OutlineKind::Frame;
         AlphaOutlineOptions alpha;
         Outline outline;
@@ -89,7 +89,7 @@ class OutlineTool : public ShapeTool<PictureShapeView> {
     };
     std::optional<Left> m_left;
     struct Taken {  // by the wand's last click
-        Vec<2> at;
+        Vec2 at;
         bool takesAway = false;
         QString key;                                   // of its step
         std::shared_ptr<const Project> before, after;  // the same if nothing came of it

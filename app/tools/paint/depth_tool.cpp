@@ -38,8 +38,7 @@ void DepthTool::paint(QPainter& painter) const {
     const auto frame = session().motion().frame<2>();
     if (frame) {
         const auto& orders = m_orders.of(session().document().depth(), frame->rest);
-        paintDepths(painter, *frame, *orders,
-                    [this](const Vec<2>& p) { return view().onScreen(inSpace(p)); });
+        paintDepths(painter, *frame, *orders, [this](const Vec2& p) { return view().onScreen(inSpace(p)); });
     }
     StrokeTool::paint(painter);
 }

@@ -14,14 +14,14 @@ namespace wend {
 
 namespace {
 
-using Line = std::vector<Vec<2>>;
+using Line = std::vector<Vec2>;
 
 constexpr int kEdgePieces = 64;
 constexpr double kLineStep = 1.0 / 400;  // of the shape's extent: the shape may be bent under a line
 
 QPainterPath pathOf(const Line& corners) {
     QPolygonF polygon;
-    for (const Vec<2>& p : corners) polygon << QPointF(p.x(), p.y());
+    for (const Vec2& p : corners) polygon << QPointF(p.x(), p.y());
     QPainterPath path;
     path.addPolygon(polygon);
     path.closeSubpath();
@@ -63,7 +63,7 @@ struct Cover {
     const std::vector<MaterialRegion>& layer;
     double feathers;  // so many of a soft edge beyond the borders
 
-    bool lies(const Vec<2>& p, std::size_t i) const {
+    bool lies(const Vec2& p, std::size_t i) const {
         const double beyond = layer[i].erases() ? -feathers : feathers;
         return signedDistance<2>(inPlane(layer[i].shape), p) < beyond * layer[i].feather - 1e-9 * radius(i);
     }
@@ -72,7 +72,7 @@ struct Cover {
         return ball ? ball->radius + (layer[i].erases() ? -feathers : feathers) * layer[i].feather : 0;
     }
     /// Ignores the region whose border this is.
-    bool hides(const Vec<2>& p, std::size_t own) const {
+    bool hides(const Vec2& p, std::size_t own) const {
         for (std::size_t i = layer.size(); i-- > own + 1;)
             if (lies(p, i)) return true;
         for (std::size_t i = own; i-- > 0;)
@@ -87,7 +87,7 @@ void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
     const double radius = cover.radius(own);
     if (!ball || radius <= 0) return;
     const auto at = [&](double a) {
-        return Vec<2>(inPlane(ball->centre) + radius * Vec<2>(std::cos(a), std::sin(a)));
+        return Vec2(inPlane(ball->centre) + radius * Vec2(std::cos(a), std::sin(a)));
     };
     const auto isCovered = [&](double a) { return cover.hides(at(a), own); };
     constexpr double kPiece = 2 * std::numbers::pi / kEdgePieces;
@@ -111,9 +111,9 @@ void addBalls(std::vector<Line>& lines, const std::vector<MaterialRegion>& layer
 }
 
 /// Returns a line through p along a direction, across the whole shape.
-Line acrossAll(const Vec<2>& p, const Vec<2>& along, const SimplicialMesh<2>& rest) {
+Line acrossAll(const Vec2& p, const Vec2& along, const SimplicialMesh<2>& rest) {
     const double reach = (rest.points.colwise() - p).colwise().norm().maxCoeff();
-    const Vec<2> a = along.normalized();
+    const Vec2 a = along.normalized();
     return {p - reach * a, p + reach * a};
 }
 
@@ -131,16 +131,16 @@ struct Adder {
         (*this)(Polygon{{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}});
     }
     void operator()(const HalfSpace<2>& half) const {
-        const Vec<2> n = half.normal.normalized(), along(-n.y(), n.x());
+        const Vec2 n = half.normal.normalized(), along(-n.y(), n.x());
         lines.border.push_back(acrossAll(half.point, along, rest));
         if (feather <= 0) return;
         for (const double side : {-0.5, 0.5})
             lines.soft.push_back(acrossAll(half.point + side * feather * n, along, rest));
     }
     void operator()(const Blend<2>& blend) const {
-        const Vec<2> n = blend.to - blend.from, along(-n.y(), n.x());
+        const Vec2 n = blend.to - blend.from, along(-n.y(), n.x());
         lines.border.push_back({blend.from, blend.to});
-        for (const Vec<2>& end : {blend.from, blend.to}) lines.soft.push_back(acrossAll(end, along, rest));
+        for (const Vec2& end : {blend.from, blend.to}) lines.soft.push_back(acrossAll(end, along, rest));
     }
 };
 
@@ -166,17 +166,17 @@ RestLines linesOf(const std::vector<MaterialRegion>& layer, const SimplicialMesh
 }
 
 std::vector<Line> carriedLine(const Line& line, const SimplicialMesh<2>& rest, const PointLocator<2>& locator,
-                              const Points<2>& pose) {
+                              const Points2& pose) {
     const double step = kLineStep * boundingBoxDiagonal<2>(rest.points);
     std::vector<Line> pieces(1);
-    const auto add = [&](const Vec<2>& p) {
+    const auto add = [&](const Vec2& p) {
         if (const auto place = locator.find(p))
             pieces.back().push_back(positionOf<2>(*place, rest, pose));
         else if (!pieces.back().empty())
             pieces.emplace_back();
     };
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec<2> way = line[i + 1] - line[i];
+        const Vec2 way = line[i + 1] - line[i];
         const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / step)));
         for (int k = 0; k < steps; ++k) add(line[i] + way * k / steps);
     }
@@ -206,7 +206,7 @@ void RegionLines::paint(QPainter& painter, PictureShapeView& view) {
         for (const Line& line : lines)
             for (const Line& piece : carriedLine(line, *frame->rest, locator, frame->pose)) {
                 QPolygonF seen;
-                for (const Vec<2>& p : piece) seen << view.toWidget(p);
+                for (const Vec2& p : piece) seen << view.toWidget(p);
                 draw(painter, seen, pen);
             }
     };

@@ -13,13 +13,13 @@ namespace wend {
 /// Outlines of a picture's layer at rest: the border of its regions and the bounds of its soft edge.
 /// Overlapping balls, as in a stroke, have a common border.
 struct RestLines {
-    std::vector<std::vector<Vec<2>>> border, soft;
+    std::vector<std::vector<Vec2>> border, soft;
 };
 RestLines linesOf(const std::vector<MaterialRegion>& layer, const SimplicialMesh<2>& rest);
 
 /// Maps a line from the rest shape to a pose; in pieces where it leaves the shape.
-std::vector<std::vector<Vec<2>>> carriedLine(const std::vector<Vec<2>>& line, const SimplicialMesh<2>& rest,
-                                             const PointLocator<2>& locator, const Points<2>& pose);
+std::vector<std::vector<Vec2>> carriedLine(const std::vector<Vec2>& line, const SimplicialMesh<2>& rest,
+                                           const PointLocator<2>& locator, const Points2& pose);
 
 /// Draws regions where they are now.
 class RegionLines {

@@ -66,10 +66,10 @@ QPainterPath snapped(const QPainterPath& path) {
 Polygon atRest(PictureShapeView& view, const QPolygonF& outline) {
     const auto frame = view.session().motion().frame<2>();
     const PointLocator<2> locator(frame->pose, frame->rest->cells);
-    const Points<2>& rest = frame->rest->points;
-    std::vector<Vec<2>> points;
+    const Points2& rest = frame->rest->points;
+    std::vector<Vec2> points;
     for (const QPointF& corner : refined(outline)) {
-        const Vec<2> p = view.toShape(corner);
+        const Vec2 p = view.toShape(corner);
         if (const auto location = locator.find(p)) {
             points.push_back(positionOf<2>(*location, *frame->rest, rest));
             continue;

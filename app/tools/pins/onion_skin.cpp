@@ -58,16 +58,16 @@ Outline drawingOf(const Image& picture) {
     return drawing;
 }
 
-double lengthOf(const std::vector<Vec<2>>& loop) {
+double lengthOf(const std::vector<Vec2>& loop) {
     double length = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
     return length;
 }
 
 /// Appends points close enough to follow the deformation.
-void appendDense(std::vector<Vec<2>>& points, const std::vector<Vec<2>>& loop, double step) {
+void appendDense(std::vector<Vec2>& points, const std::vector<Vec2>& loop, double step) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec<2> way = loop[(i + 1) % loop.size()] - loop[i];
+        const Vec2 way = loop[(i + 1) % loop.size()] - loop[i];
         const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / step)));
         for (int k = 0; k < parts; ++k) points.emplace_back(loop[i] + way * k / parts);
     }
@@ -140,7 +140,7 @@ void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
             edges += line.size();
         }
         drawing = combined(drawing, boundary, OutlineOperation::Keep);
-        std::vector<Vec<2>> points;
+        std::vector<Vec2> points;
         m_loops.clear();
         for (const auto& line : drawing.loops) {
             const auto first = static_cast<int>(points.size());
@@ -148,7 +148,7 @@ void OnionSkin<Dim>::takeDrawing(const Shape<Dim>& shape) {
             m_loops.emplace_back(points.size() - static_cast<std::size_t>(first));
             std::iota(m_loops.back().begin(), m_loops.back().end(), first);
         }
-        Points<2> columns(2, static_cast<Eigen::Index>(points.size()));
+        Points2 columns(2, static_cast<Eigen::Index>(points.size()));
         for (Eigen::Index i = 0; i < columns.cols(); ++i)
             columns.col(i) = points[static_cast<std::size_t>(i)];
         m_drawn = std::make_shared<const Embedding<2>>(rest, columns);

@@ -41,8 +41,8 @@ class RegionTool : public ShapeTool<SolidShapeView> {
     bool m_active = false;
     QPointF m_from, m_at;
     // centre in the pose and at rest, and the solid's rotation there
-    Vec<3> m_centre = Vec<3>::Zero(), m_restCentre = Vec<3>::Zero();
-    Mat<3> m_turn = Mat<3>::Identity();
+    Vec3 m_centre = Vec3::Zero(), m_restCentre = Vec3::Zero();
+    Mat3 m_turn = Mat3::Identity();
 };
 
 QString RegionTool::hint() const {

@@ -59,17 +59,17 @@ ShapeCanvas::ShapeCanvas(ShapeSession& session, QWidget* parent)
 std::optional<Touch> ShapeCanvas::touch(const QPointF& widget) const {
     const auto frame = m_session.motion().frame<2>();
     if (!frame) return {};
-    const Vec<2> p = toShape(widget);
+    const Vec2 p = toShape(widget);
     const std::vector<float>& depth = *m_shape.depths();
     const std::vector<bool> closed = untouchable(m_session.document().domain().parts, *frame->rest);
     std::optional<Touch> best;
     for (int c = 0; c < frame->rest->cellCount(); ++c) {
         if (!closed.empty() && closed[static_cast<std::size_t>(c)]) continue;
         const Cell<2>& cell = frame->rest->cells[static_cast<std::size_t>(c)];
-        const Vec<2> a = frame->pose.col(cell[0]), u = frame->pose.col(cell[1]) - a,
-                     v = frame->pose.col(cell[2]) - a, w = p - a;
+        const Vec2 a = frame->pose.col(cell[0]), u = frame->pose.col(cell[1]) - a,
+                   v = frame->pose.col(cell[2]) - a, w = p - a;
         const double area = u.x() * v.y() - u.y() * v.x();
-        const Vec<2> by((w.x() * v.y() - w.y() * v.x()) / area, (u.x() * w.y() - u.y() * w.x()) / area);
+        const Vec2 by((w.x() * v.y() - w.y() * v.x()) / area, (u.x() * w.y() - u.y() * w.x()) / area);
         if (!(by.minCoeff() >= 0 && by.sum() <= 1)) continue;
         const bool isBelow =
             best && !depth.empty() &&
@@ -129,7 +129,7 @@ void ShapeCanvas::takeFrame() {
     const auto frame = m_session.motion().frame<2>();
     const bool first = !m_shape.drawn() && !m_session.document().picture() && frame;
     if (first && frame->built->texture) {
-        const Mat<2>& A = frame->built->texture->toPixels.A;
+        const Mat2& A = frame->built->texture->toPixels.A;
         m_view.setPointsUp(A(0, 0) * A(1, 1) < A(0, 1) * A(1, 0));
     }
     if (frame) m_shape.takeFrame(*frame);
@@ -213,7 +213,7 @@ void ShapeCanvas::navigate(QMouseEvent& event, bool pans) {
 QString ShapeCanvas::pointerText(const QPointF& at) {
     if (!m_session.motion().frame()) return {};
     const QLocale locale;
-    const Vec<2> p = toShape(at);
+    const Vec2 p = toShape(at);
     return QStringLiteral("%1, %2").arg(locale.toString(p.x(), 'f', 1), locale.toString(p.y(), 'f', 1));
 }
 

@@ -31,8 +31,8 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
 
     // PictureShapeView
     ShapeSession& session() override { return m_session; }
-    Vec<2> toShape(const QPointF& widget) const override { return m_view.toShape(widget); }
-    QPointF toWidget(const Vec<2>& shape) const override { return m_view.toWidget(shape); }
+    Vec2 toShape(const QPointF& widget) const override { return m_view.toShape(widget); }
+    QPointF toWidget(const Vec2& shape) const override { return m_view.toWidget(shape); }
     double pixelSize(const Vec3&) const override { return 1 / m_view.zoom(); }
     std::optional<Touch> touch(const QPointF& widget) const override;
     bool isHidden(const Place& place, const Vec3& p) const override;

@@ -32,20 +32,20 @@ QRgb alphaOf(QRgb colour) {
 }
 
 /// Returns the middle of the set samples, of 8 × 8 places in the pixel.
-Vec<2> middleOf(std::uint64_t samples) {
-    Vec<2> sum = Vec<2>::Zero();
+Vec2 middleOf(std::uint64_t samples) {
+    Vec2 sum = Vec2::Zero();
     for (std::uint64_t rest = samples; rest != 0; rest &= rest - 1) {
         const int place = std::countr_zero(rest);
-        sum += Vec<2>(place % 8, place / 8);
+        sum += Vec2(place % 8, place / 8);
     }
-    return (sum / std::popcount(samples) + Vec<2>(0.5, 0.5)) / 8;
+    return (sum / std::popcount(samples) + Vec2(0.5, 0.5)) / 8;
 }
 
 /// Returns the bounds of the visible points in whole pixels.
-QRect pixelBoxOf(const Points<2>& points, const QSize& size) {
+QRect pixelBoxOf(const Points2& points, const QSize& size) {
     if (points.cols() == 0) return {};
     const auto bounded = [](double x, int most) { return std::clamp(x, -1.0, most + 1.0); };
-    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+    const Vec2 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
     const QPointF first(bounded(low.x(), size.width()), bounded(low.y(), size.height()));
     const QPointF last(bounded(high.x(), size.width()), bounded(high.y(), size.height()));
     return QRectF(first, last).toAlignedRect().adjusted(0, 0, 1, 1) & QRect(QPoint(), size);
@@ -79,17 +79,17 @@ class Mix {
 
 }  // namespace
 
-CellFiller::CellFiller(const QSize& size, const PaintingPlan& plan, const Points<2>& points,
+CellFiller::CellFiller(const QSize& size, const PaintingPlan& plan, const Points2& points,
                        const QTransform& toPixels)
     : m_points(points) {
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const QPointF p = toPixels.map(QPointF(points(0, i), points(1, i)));
-        m_points.col(i) = Vec<2>(p.x(), p.y());
+        m_points.col(i) = Vec2(p.x(), p.y());
     }
     const QRect box = pixelBoxOf(m_points, size);
     if (box.isEmpty()) return;
     m_at = box.topLeft();
-    m_points.colwise() -= Vec<2>(m_at.x(), m_at.y());
+    m_points.colwise() -= Vec2(m_at.x(), m_at.y());
     m_layer = QImage(box.size(), QImage::Format_ARGB32_Premultiplied);
     m_layer.fill(Qt::transparent);
     m_outline = OutlinePixels(plan, m_points, box.width(), box.height(), kFilledRows);
@@ -148,7 +148,7 @@ void CellFiller::fill(const Cell<2>& cell, const std::array<double, 3>& places,
 template <class Value, class ColourOf>
 void CellFiller::fillBetween(const Cell<2>& cell, const std::array<Value, 3>& corners,
                              const ColourOf& colourOf) {
-    const Vec<2> a = m_points.col(cell[0]), u = m_points.col(cell[1]) - a, v = m_points.col(cell[2]) - a;
+    const Vec2 a = m_points.col(cell[0]), u = m_points.col(cell[1]) - a, v = m_points.col(cell[2]) - a;
     const double twice = u.x() * v.y() - u.y() * v.x();
     if (twice == 0) return;
     const Value first = corners[1] - corners[0], second = corners[2] - corners[0];
@@ -166,7 +166,7 @@ void CellFiller::fillBetween(const Cell<2>& cell, const std::array<Value, 3>& co
         }
     });
     addPieces(rows, [&](const auto& pixel, std::uint64_t samples) {
-        const Vec<2> middle = middleOf(samples);
+        const Vec2 middle = middleOf(samples);
         return colourOf(valueAt(pixel.x + middle.x(), pixel.y + middle.y()));
     });
 }

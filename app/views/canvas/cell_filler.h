@@ -17,7 +17,7 @@ namespace wend {
 class CellFiller {
   public:
     /// Fills an image of that size; `toPixels` maps `points` to its pixels.
-    CellFiller(const QSize& size, const PaintingPlan& plan, const Points<2>& points,
+    CellFiller(const QSize& size, const PaintingPlan& plan, const Points2& points,
                const QTransform& toPixels);
 
     /// The colour is not premultiplied.
@@ -49,7 +49,7 @@ class CellFiller {
 
     QPoint m_at;  // of the layer in the image
     QImage m_layer;
-    Points<2> m_points;  // in the layer's pixels
+    Points2 m_points;  // in the layer's pixels
     OutlinePixels m_outline;
     std::vector<Piece> m_pieces;
 };

@@ -57,7 +57,7 @@ constexpr double kAhead = 0.5;     // of the tolerance: from there on a vertex i
 }  // namespace
 
 MovingCells::DrawnPtr MovingCells::of(const std::shared_ptr<const SimplicialMesh<2>>& rest,
-                                      const std::shared_ptr<const PaintingPlan>& plan, const Points<2>& pose,
+                                      const std::shared_ptr<const PaintingPlan>& plan, const Points2& pose,
                                       double tolerance) {
     if (rest->cellCount() < kMany) return nullptr;
     const bool allowsMore = !m_drawn && tolerance > kAnotherTry * m_triedWith;
@@ -101,11 +101,11 @@ void MovingCells::thinOut() {
     const double side = std::sqrt(area / first);
     std::map<std::pair<long, long>, int> nearest;  // to the middle of each square
     const auto squared = [&](int vertex) {
-        const Vec<2> at = m_rest->points.col(vertex) / side;
-        return (at - at.array().floor().matrix() - Vec<2>(0.5, 0.5)).squaredNorm();
+        const Vec2 at = m_rest->points.col(vertex) / side;
+        return (at - at.array().floor().matrix() - Vec2(0.5, 0.5)).squaredNorm();
     };
     for (const int v : m_used) {
-        const Vec<2> at = m_rest->points.col(v) / side;
+        const Vec2 at = m_rest->points.col(v) / side;
         const auto [found, isNew] =
             nearest.try_emplace({std::lround(std::floor(at.x())), std::lround(std::floor(at.y()))}, v);
         if (!isNew && squared(v) < squared(found->second)) found->second = v;
@@ -136,7 +136,7 @@ void MovingCells::make() {
 }
 
 /// Adds in each cell the vertex with the largest error. Returns false if none exceeds the tolerance.
-bool MovingCells::add(const Points<2>& pose, double tolerance) {
+bool MovingCells::add(const Points2& pose, double tolerance) {
     std::vector<std::pair<double, int>> worst(m_drawn->cells.size(), {0, -1});
     double most = 0;
     for (const int v : m_used) {

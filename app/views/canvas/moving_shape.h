@@ -39,14 +39,14 @@ class MovingCells {
     /// cells, or null as in WarpOptions. `tolerance` in domain units. Vertices are added from pose to pose
     /// where needed.
     DrawnPtr of(const std::shared_ptr<const SimplicialMesh<2>>& rest,
-                const std::shared_ptr<const PaintingPlan>& plan, const Points<2>& pose, double tolerance);
+                const std::shared_ptr<const PaintingPlan>& plan, const Points2& pose, double tolerance);
 
   private:
     void begin(const std::shared_ptr<const SimplicialMesh<2>>& rest,
                const std::shared_ptr<const PaintingPlan>& plan);
     void thinOut();
     void make();
-    bool add(const Points<2>& pose, double tolerance);
+    bool add(const Points2& pose, double tolerance);
 
     std::shared_ptr<const SimplicialMesh<2>> m_rest;
     std::shared_ptr<const PaintingPlan> m_given, m_plan;

@@ -23,12 +23,12 @@ std::shared_ptr<const SimplicialMesh<2>> restOf(const RenderRequest& request) {
 }
 
 /// Returns the pose in pixels of the picture or of the screen.
-Points<2> poseOf(const RenderRequest& request) {
+Points2 poseOf(const RenderRequest& request) {
     if (!request.texture) return request.frame->pose;
-    Points<2> pose = request.texture->withRiders(request.frame->pose);
+    Points2 pose = request.texture->withRiders(request.frame->pose);
     for (Eigen::Index i = 0; i < pose.cols(); ++i) {
         const QPointF p = request.scale() * request.view.toWidget(pose.col(i));
-        pose.col(i) = Vec<2>(p.x(), p.y());
+        pose.col(i) = Vec2(p.x(), p.y());
     }
     return pose;
 }
@@ -265,7 +265,7 @@ void RenderThread::chooseCells(RenderRequest& request) {
     if (!parts) {
         request.cells = m_moving.of(request.frame->rest, request.plan, request.frame->pose, tolerance);
     } else if (parts->blends().empty()) {  // which are of the parts' own cells
-        const Points<2> pose = parts->withRiders(request.frame->pose);
+        const Points2 pose = parts->withRiders(request.frame->pose);
         request.cells = m_moving.of(parts->rest, request.plan, pose, tolerance);
     }
 }

@@ -135,7 +135,7 @@ QImage toQImage(Image&& pixels) {
 
 ScreenPicture::ScreenPicture(const std::shared_ptr<const Image>& picture) : m_pyramid(forScreen(picture)) {}
 
-QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+QImage ScreenPicture::warped(const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                              const WarpOptions& options) const {
     WarpOptions own = options;
     if (image().type == PixelType::UInt8)

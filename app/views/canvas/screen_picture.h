@@ -19,7 +19,7 @@ class ScreenPicture {
     explicit ScreenPicture(const std::shared_ptr<const Image>& picture);
 
     /// The pixels of a warp; none if it was stopped.
-    QImage warped(const SimplicialMesh<2>& rest, const Points<2>& pose, const View& view,
+    QImage warped(const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                   const WarpOptions& options) const;
     const Image& image() const { return m_pyramid.base(); }
 

@@ -4,16 +4,16 @@
 
 namespace wend {
 
-QRectF boxOf(const Points<2>& points) {
-    const Vec<2> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+QRectF boxOf(const Points2& points) {
+    const Vec2 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
     return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
-QPointF ViewTransform::toWidget(const Vec<2>& p) const {
+QPointF ViewTransform::toWidget(const Vec2& p) const {
     return m_origin + QPointF(p.x() * m_zoom, (m_up ? -p.y() : p.y()) * m_zoom);
 }
 
-Vec<2> ViewTransform::toShape(const QPointF& widget) const {
+Vec2 ViewTransform::toShape(const QPointF& widget) const {
     const QPointF d = (widget - m_origin) / m_zoom;
     return {d.x(), m_up ? -d.y() : d.y()};
 }
@@ -23,7 +23,7 @@ QTransform ViewTransform::matrix() const {
 }
 
 void ViewTransform::setZoom(double zoom, const QPointF& fixed) {
-    const Vec<2> below = toShape(fixed);
+    const Vec2 below = toShape(fixed);
     m_zoom = std::clamp(zoom, m_minimum, m_maximum);
     m_origin += fixed - toWidget(below);
 }

@@ -16,8 +16,8 @@ class ViewTransform {
     double zoom() const { return m_zoom; }
     void setPointsUp(bool up) { m_up = up; }
 
-    QPointF toWidget(const Vec<2>& p) const;
-    Vec<2> toShape(const QPointF& widget) const;
+    QPointF toWidget(const Vec2& p) const;
+    Vec2 toShape(const QPointF& widget) const;
     QTransform matrix() const;
 
     void pan(const QPointF& by) { m_origin += by; }
@@ -36,6 +36,6 @@ class ViewTransform {
     bool m_up = false;
 };
 
-QRectF boxOf(const Points<2>& points);
+QRectF boxOf(const Points2& points);
 
 }  // namespace wend

@@ -64,7 +64,7 @@ void ShapePainter::frames(const Pin& handle, const Vec<Dim>& start) {
             const QPointF seen = m_view.onScreen(at);
             if (last && QLineF(*last, seen).length() < marked(kFramesApart)) continue;
             last = seen;
-            Mat<3> axes = Mat<3>::Identity();
+            Mat3 axes = Mat3::Identity();
             axes.topLeftCorner<Dim, Dim>() = trajectory.frame(t);
             frame(at, axes);
         }
@@ -72,7 +72,7 @@ void ShapePainter::frames(const Pin& handle, const Vec<Dim>& start) {
     }
 }
 
-void ShapePainter::frame(const Vec3& at, const Mat<3>& axes) {
+void ShapePainter::frame(const Vec3& at, const Mat3& axes) {
     const double pixel = marked(m_view.pixelSize(at));
     for (int k = 0; k < m_view.dimension(); ++k) {
         const auto [colour, size] = axisOf(m_view.dimension(), k);
@@ -232,7 +232,7 @@ void ShapePainter::groups(const std::vector<GroupMark>& groups) {
 }
 
 /// Draws the points, or an even selection if there are very many.
-void ShapePainter::dots(const Points<3>& points) {
+void ShapePainter::dots(const Points3& points) {
     constexpr Eigen::Index kMost = 20000;
     const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kMost);
     std::vector<QPointF> places;
@@ -257,9 +257,7 @@ void paintFaults(QPainter& painter, ShapeView& view, const PosedFrame<2>& frame,
     fill.setAlphaF(0.75F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
-    const auto at = [&](const Points<2>& points, int v) {
-        return view.onScreen(inSpace(Vec<2>(points.col(v))));
-    };
+    const auto at = [&](const Points2& points, int v) { return view.onScreen(inSpace(Vec2(points.col(v)))); };
     for (const auto& place : faults.blown)
         for (const int cell : place.members) {
             QPolygonF corners;

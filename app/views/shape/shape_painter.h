@@ -30,7 +30,7 @@ class ShapePainter {
     /// Draws the vertices of groups in their colours, those of a chosen one larger.
     void groups(const std::vector<GroupMark>& groups);
     /// Draws points that are carried along, such as a cloud.
-    void dots(const Points<3>& points);
+    void dots(const Points3& points);
     /// Draws a cross in the middle of a cell; in a solid at its visible place, or a faint ring if it is
     /// hidden. Adds a label unless it is empty.
     void worst(const ShapeFrame& frame, int cell, const QString& words = {});
@@ -46,7 +46,7 @@ class ShapePainter {
     QPolygonF onScreen(const std::vector<Vec3>& points) const;
     template <int Dim>
     void frames(const Pin& handle, const Vec<Dim>& start);
-    void frame(const Vec3& at, const Mat<3>& axes);
+    void frame(const Vec3& at, const Mat3& axes);
     void spots(const PinView& pin);
     void seenSpots(const PinView& pin);
     void area(const PinView& pin, bool hovered);

@@ -13,8 +13,8 @@ constexpr double kFieldOfView = 35 * std::numbers::pi / 180;
 constexpr double kMargin = 1.22;  // around the fitted content
 const double kTanHalf = std::tan(kFieldOfView / 2);
 
-Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
-    Mat<3> rows;
+Eigen::Quaterniond turn(const Vec3& direction, const Vec3& up) {
+    Mat3 rows;
     rows.row(2) = -direction.normalized();
     rows.row(0) = up.cross(rows.row(2).transpose()).normalized();
     rows.row(1) = rows.row(2).cross(rows.row(0));
@@ -22,7 +22,7 @@ Eigen::Quaterniond turn(const Vec<3>& direction, const Vec<3>& up) {
 }
 
 /// Rounds to a millionth of `size`.
-Vec<3> rounded(const Vec<3>& p, double size) {
+Vec3 rounded(const Vec3& p, double size) {
     const int digits = std::clamp(6 - static_cast<int>(std::floor(std::log10(size))), 0, 300);
     return p.unaryExpr([&](double x) { return QString::number(x, 'f', digits).toDouble(); });
 }
@@ -32,29 +32,29 @@ constexpr double kClickPixels = 4;
 
 }  // namespace
 
-void Camera::fit(const Vec<3>& low, const Vec<3>& high) {
+void Camera::fit(const Vec3& low, const Vec3& high) {
     m_pivot = (low + high) / 2;
     m_shift.setZero();
     m_radius = std::max((high - low).norm() / 2, 1e-12);
     m_distance = 1.1 * m_radius / std::sin(kFieldOfView / 2);
 }
 
-void Camera::fit(const Points<3>& points, const QSize& viewport) {
+void Camera::fit(const Points3& points, const QSize& viewport) {
     fit(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
     const double aspect = viewport.width() / static_cast<double>(std::max(1, viewport.height()));
-    const Mat<3> turn = m_turn.toRotationMatrix();
+    const Mat3 turn = m_turn.toRotationMatrix();
     double distance = 0;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        const Vec<3> p = turn * (points.col(i) - m_pivot);
+        const Vec3 p = turn * (points.col(i) - m_pivot);
         const double across = kMargin / kTanHalf * std::max(std::abs(p.y()), std::abs(p.x()) / aspect);
         distance = std::max(distance, across + (m_orthographic ? 0 : p.z()));
     }
     if (distance > 0) m_distance = distance;
 }
 
-Mat<3> Camera::axes() const {
-    const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
-    Mat<3> axes;
+Mat3 Camera::axes() const {
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+    Mat3 axes;
     switch (m_upAxis) {
         case UpAxis::X:
             axes << y, z, x;
@@ -71,8 +71,8 @@ Mat<3> Camera::axes() const {
 
 void Camera::look(Axis axis) {
     m_shift.setZero();
-    const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
-    const auto along = [this](const Vec<3>& direction, const Vec<3>& up) {
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+    const auto along = [this](const Vec3& direction, const Vec3& up) {
         m_turn = turn(axes() * direction, axes() * up);
     };
     switch (axis) {
@@ -95,19 +95,19 @@ void Camera::look(Axis axis) {
             along(z, y);
             break;
         case Axis::Isometric:
-            along(Vec<3>(-1, 1.4, -0.8), z);
+            along(Vec3(-1, 1.4, -0.8), z);
             break;
     }
 }
 
 void Camera::setUpAxis(UpAxis axis) {
-    const Mat<3> before = axes();
+    const Mat3 before = axes();
     m_upAxis = axis;
-    m_turn = (m_turn * Eigen::Quaterniond(Mat<3>(before * axes().transpose()))).normalized();
+    m_turn = (m_turn * Eigen::Quaterniond(Mat3(before * axes().transpose()))).normalized();
 }
 
 SavedCamera Camera::saved() const {
-    const auto place = [this](const Vec<3>& p) { return rounded(p, m_distance); };
+    const auto place = [this](const Vec3& p) { return rounded(p, m_distance); };
     SavedCamera kept{
         place(centre() - m_distance * direction()), place(centre()), rounded(up(), 1), {}, m_orthographic};
     if (place(m_pivot) != kept.target) kept.pivot = place(m_pivot);
@@ -123,38 +123,38 @@ void Camera::restore(const SavedCamera& kept) {
     if (kept.pivot) setPivot(*kept.pivot);
 }
 
-void Camera::setPivot(const Vec<3>& pivot) {
-    const Vec<3> way = pivot - m_pivot;
+void Camera::setPivot(const Vec3& pivot) {
+    const Vec3 way = pivot - m_pivot;
     m_shift += Eigen::Vector2d(right().dot(way), up().dot(way));
     m_distance = std::max(m_distance + direction().dot(way), 1e-6 * m_radius);
     m_pivot = pivot;
 }
 
-void Camera::lookAt(const Vec<3>& point) {
+void Camera::lookAt(const Vec3& point) {
     m_pivot = point;
     m_shift.setZero();
 }
 
-void Camera::lookAlong(const Vec<3>& direction) {
-    const Vec<3> way = direction.normalized();
-    const Vec<3> up = axes().col(2);
-    m_turn = turn(way, std::abs(way.dot(up)) > 0.95 ? Vec<3>(axes().col(1)) : up);
+void Camera::lookAlong(const Vec3& direction) {
+    const Vec3 way = direction.normalized();
+    const Vec3 up = axes().col(2);
+    m_turn = turn(way, std::abs(way.dot(up)) > 0.95 ? Vec3(axes().col(1)) : up);
 }
 
-Vec<3> Camera::centre() const {
+Vec3 Camera::centre() const {
     return m_pivot - m_shift.x() * right() - m_shift.y() * up();
 }
 
 void Camera::orbit(double dx, double dy) {
     m_turn =
-        (Eigen::AngleAxisd(dy, Vec<3>::UnitX()) * m_turn * Eigen::AngleAxisd(dx, axes().col(2))).normalized();
+        (Eigen::AngleAxisd(dy, Vec3::UnitX()) * m_turn * Eigen::AngleAxisd(dx, axes().col(2))).normalized();
 }
 
 double Camera::pixelSize(const QSize& viewport) const {
     return 2 * m_distance * kTanHalf / std::max(1, viewport.height());
 }
 
-double Camera::pixelSize(const QSize& viewport, const Vec<3>& at) const {
+double Camera::pixelSize(const QSize& viewport, const Vec3& at) const {
     if (m_orthographic) return pixelSize(viewport);
     const double depth = m_distance + direction().dot(at - m_pivot);
     return pixelSize(viewport) * std::max(depth, 1e-3 * m_distance) / m_distance;
@@ -175,7 +175,7 @@ void Camera::zoom(double factor, const Eigen::Vector2d& pixel, const QSize& view
 Eigen::Matrix4d Camera::view() const {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     matrix.topLeftCorner<3, 3>() = m_turn.toRotationMatrix();
-    matrix.topRightCorner<3, 1>() = m_turn * -centre() - Vec<3>(0, 0, m_distance);
+    matrix.topRightCorner<3, 1>() = m_turn * -centre() - Vec3(0, 0, m_distance);
     return matrix;
 }
 
@@ -200,15 +200,15 @@ Eigen::Matrix4d Camera::projection(const QSize& viewport) const {
 
 Ray Camera::ray(const Eigen::Vector2d& pixel, const QSize& viewport) const {
     const Eigen::Vector2d offset = pixel - Eigen::Vector2d(viewport.width(), viewport.height()) / 2;
-    const Vec<3> onPivotPlane = centre() + pixelSize(viewport) * (offset.x() * right() - offset.y() * up());
-    const Vec<3> eye = centre() - m_distance * direction();
+    const Vec3 onPivotPlane = centre() + pixelSize(viewport) * (offset.x() * right() - offset.y() * up());
+    const Vec3 eye = centre() - m_distance * direction();
     if (m_orthographic) return {onPivotPlane - (m_distance + 4 * m_radius) * direction(), direction()};
     return {eye, (onPivotPlane - eye).normalized()};
 }
 
-Vec<3> Camera::project(const Vec<3>& p, const QSize& viewport) const {
+Vec3 Camera::project(const Vec3& p, const QSize& viewport) const {
     const Eigen::Vector4d clip = projection(viewport) * view() * p.homogeneous();
-    const Vec<3> device = clip.head<3>() / clip.w();
+    const Vec3 device = clip.head<3>() / clip.w();
     return {(device.x() + 1) / 2 * viewport.width(), (1 - device.y()) / 2 * viewport.height(), device.z()};
 }
 

@@ -16,9 +16,9 @@ class Camera {
     enum class Axis { Front, Back, Left, Right, Top, Bottom, Isometric };
 
     /// Shows the box that spans low … high whole, the pivot in its middle.
-    void fit(const Vec<3>& low, const Vec<3>& high);
+    void fit(const Vec3& low, const Vec3& high);
     /// Shows all points as large as they fit, from where it looks.
-    void fit(const Points<3>& points, const QSize& viewport);
+    void fit(const Points3& points, const QSize& viewport);
     void look(Axis axis);
     /// The world axis that points up, which rotation keeps upright.
     void setUpAxis(UpAxis axis);
@@ -28,14 +28,14 @@ class Camera {
     /// Restores a stored camera.
     void restore(const SavedCamera& kept);
     /// Changes the centre of rotation without moving the picture.
-    void setPivot(const Vec<3>& pivot);
+    void setPivot(const Vec3& pivot);
     /// Centres a point and makes it the centre of rotation.
-    void lookAt(const Vec<3>& point);
+    void lookAt(const Vec3& point);
     /// Looks along a direction.
-    void lookAlong(const Vec<3>& direction);
+    void lookAlong(const Vec3& direction);
     void setOrthographic(bool on) { m_orthographic = on; }
     bool orthographic() const { return m_orthographic; }
-    const Vec<3>& pivot() const { return m_pivot; }
+    const Vec3& pivot() const { return m_pivot; }
 
     /// Turns around the pivot as a turntable: dx around the world's vertical axis, dy around the screen's
     /// horizontal one.
@@ -49,22 +49,22 @@ class Camera {
     Eigen::Matrix4d projection(const QSize& viewport) const;
     Ray ray(const Eigen::Vector2d& pixel, const QSize& viewport) const;
     /// Returns the pixel and the depth in [−1, 1] of a point.
-    Vec<3> project(const Vec<3>& p, const QSize& viewport) const;
-    Vec<3> direction() const { return m_turn.conjugate() * Vec<3>(0, 0, -1); }
-    Vec<3> up() const { return m_turn.conjugate() * Vec<3>::UnitY(); }
-    Vec<3> right() const { return m_turn.conjugate() * Vec<3>::UnitX(); }
+    Vec3 project(const Vec3& p, const QSize& viewport) const;
+    Vec3 direction() const { return m_turn.conjugate() * Vec3(0, 0, -1); }
+    Vec3 up() const { return m_turn.conjugate() * Vec3::UnitY(); }
+    Vec3 right() const { return m_turn.conjugate() * Vec3::UnitX(); }
     /// Return the length in the world of a pixel at the pivot's depth, and at a point.
     double pixelSize(const QSize& viewport) const;
-    double pixelSize(const QSize& viewport, const Vec<3>& at) const;
+    double pixelSize(const QSize& viewport, const Vec3& at) const;
 
   private:
     Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
     /// Returns the point in the middle of the picture at the pivot's depth.
-    Vec<3> centre() const;
+    Vec3 centre() const;
     /// The world's axes to the right, into the picture and upwards, seen from the front.
-    Mat<3> axes() const;
+    Mat3 axes() const;
 
-    Vec<3> m_pivot = Vec<3>::Zero();
+    Vec3 m_pivot = Vec3::Zero();
     Eigen::Vector2d m_shift = Eigen::Vector2d::Zero();  // of the pivot from the middle, to the right and up
     double m_distance = 3;
     double m_radius = 1;  // of the scene, for the clip planes

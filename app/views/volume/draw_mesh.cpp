@@ -19,10 +19,10 @@ const double kCrease = std::cos(40 * std::numbers::pi / 180);
 /// edges that are no creases. Flat triangles share none.
 class SmoothGroups {
   public:
-    SmoothGroups(const std::vector<Triangle>& triangles, const Points<3>& rest, const std::vector<bool>& flat)
+    SmoothGroups(const std::vector<Triangle>& triangles, const Points3& rest, const std::vector<bool>& flat)
         : m_triangles(triangles), m_groups(3 * triangles.size(), -1) {
         for (const Triangle& t : triangles) {
-            const Vec<3> a = rest.col(t[0]);
+            const Vec3 a = rest.col(t[0]);
             m_areas.push_back((rest.col(t[1]) - a).cross(rest.col(t[2]) - a));
         }
         std::vector<int> start(static_cast<std::size_t>(rest.cols()) + 1, 0);
@@ -48,7 +48,7 @@ class SmoothGroups {
 
   private:
     bool isSmooth(int a, int b) const {
-        const Vec<3>&p = m_areas[a / 3], &q = m_areas[b / 3];
+        const Vec3 &p = m_areas[a / 3], &q = m_areas[b / 3];
         return p.dot(q) >= kCrease * p.norm() * q.norm();
     }
 
@@ -77,7 +77,7 @@ class SmoothGroups {
     }
 
     const std::vector<Triangle>& m_triangles;
-    std::vector<Vec<3>> m_areas;
+    std::vector<Vec3> m_areas;
     std::vector<int> m_groups, m_root;
     std::vector<std::pair<int, int>> m_edges;
     int m_count = 0;
@@ -157,8 +157,8 @@ void setTints(DrawMesh& mesh, const Skin& skin) {
     }
 }
 
-Points<3> placesIn(const Points<3>& pose, const std::vector<CutSurface::Corner>& places) {
-    Points<3> points(3, static_cast<Eigen::Index>(places.size()));
+Points3 placesIn(const Points3& pose, const std::vector<CutSurface::Corner>& places) {
+    Points3 points(3, static_cast<Eigen::Index>(places.size()));
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto& [from, to, weight] = places[i];
         points.col(static_cast<Eigen::Index>(i)) = (1 - weight) * pose.col(from) + weight * pose.col(to);
@@ -194,7 +194,7 @@ CutPoints::CutPoints(const CutSurface& surface) {
     }
 }
 
-Points<3> CutPoints::at(const Points<3>& pose) const {
+Points3 CutPoints::at(const Points3& pose) const {
     return placesIn(pose, points);
 }
 
@@ -242,7 +242,7 @@ DrawMesh unshaded(const CutSurface& surface) {
 
 }  // namespace
 
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest) {
+DrawMesh drawMesh(const CutSurface& surface, const Points3& rest) {
     DrawMesh mesh = unshaded(surface);
     setVertices(mesh, SmoothGroups(mesh.triangles, drawnPoints(mesh, rest), surface.onCut));
     return mesh;
@@ -271,7 +271,7 @@ DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding) {
     return mesh;
 }
 
-Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose) {
+Points3 drawnPoints(const DrawMesh& mesh, const Points3& pose) {
     return placesIn(pose, mesh.places);
 }
 

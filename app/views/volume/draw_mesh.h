@@ -37,7 +37,7 @@ struct CutPoints {
     std::vector<std::array<int, 3>> triangles;
 
     explicit CutPoints(const CutSurface& surface);
-    Points<3> at(const Points<3>& pose) const;
+    Points3 at(const Points3& pose) const;
 };
 
 /// The border of a part of a surface: the edges that an odd number of its triangles have, as their ends.
@@ -47,7 +47,7 @@ std::vector<std::array<int, 2>> borderOf(const std::vector<std::array<int, 3>>& 
 CutSurface partOf(const CutSurface& surface, bool onCut);
 
 /// Makes the surface of a solid, cut or not. Creases are those of the rest shape; the cut is flat.
-DrawMesh drawMesh(const CutSurface& surface, const Points<3>& rest);
+DrawMesh drawMesh(const CutSurface& surface, const Points3& rest);
 /// Makes the section of an exact cut, a plane with a single normal regardless of slivers.
 DrawMesh drawSection(const CutSurface& section);
 /// A surface embedded in a solid, with its texture points and materials.
@@ -57,7 +57,7 @@ DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 bool hasOwnColours(const Skin& skin);
 
 /// Returns the points of a solid's surface in a pose.
-Points<3> drawnPoints(const DrawMesh& mesh, const Points<3>& pose);
+Points3 drawnPoints(const DrawMesh& mesh, const Points3& pose);
 /// Returns the normal of every vertex: the mean, by area, of the triangles that share it smoothly.
 std::vector<Eigen::Vector3f> drawnNormals(const DrawMesh& mesh, const Eigen::Matrix3Xf& points);
 

@@ -16,12 +16,12 @@ constexpr double kOwnFromBehind = 0.7;  // saturation of back faces, distinguish
 const QRgb kPlainColour = qRgb(196, 178, 150);
 
 /// Compares points, because Eigen compares matrices of one size only.
-bool isSame(const Points<3>& a, const Points<3>& b) {
+bool isSame(const Points3& a, const Points3& b) {
     return a.cols() == b.cols() && a == b;
 }
 
 /// Adds the nearest corner of the triangle.
-SolidHit solidHit(const CutSurface& surface, const Points<3>& pose, const Ray& ray,
+SolidHit solidHit(const CutSurface& surface, const Points3& pose, const Ray& ray,
                   const TriangleTree::Hit& hit) {
     SolidHit result;
     if (hit.triangle < 0) return result;
@@ -53,7 +53,7 @@ std::pair<double, double> leftOf(const Ray& ray, const std::optional<CutPlane>& 
 
 // --- Rays ---
 
-SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
+SolidHit RayCasting::hit(const Ray& ray, const Points3& pose) {
     if (m_surfaceStale) {
         m_points.emplace(m_surface);
         m_tree = TriangleTree(m_points->at(pose), std::move(m_points->triangles));
@@ -66,7 +66,7 @@ SolidHit RayCasting::hit(const Ray& ray, const Points<3>& pose) {
     return solidHit(m_surface, pose, ray, hit);
 }
 
-void SkinCasting::update(const VolumePicture& solid, const Points<3>& skinPose) {
+void SkinCasting::update(const VolumePicture& solid, const Points3& skinPose) {
     if (m_skinStale) {
         m_tree = TriangleTree(skinPose, solid.skin->triangles);
         m_locator.emplace(solid.rest->points, solid.rest->cells);
@@ -81,10 +81,10 @@ void SkinCasting::update(const VolumePicture& solid, const Points<3>& skinPose) 
 }
 
 /// Returns the cell at the rest place; outside all cells that of the nearest corner of its triangle.
-int SkinCasting::cellOf(const VolumePicture& solid, const Vec<3>& point) const {
+int SkinCasting::cellOf(const VolumePicture& solid, const Vec3& point) const {
     const TriangleTree::Nearest there = m_tree.nearest(point);
     const auto& corners = solid.skin->triangles[there.triangle];
-    Vec<3> rest = Vec<3>::Zero();
+    Vec3 rest = Vec3::Zero();
     for (int k = 0; k < 3; ++k) rest += there.weights[k] * solid.skin->points.col(corners[k]);
     if (const auto inside = m_locator->find(rest, kOnBorder)) return inside->cell;
     int nearest = 0;
@@ -93,7 +93,7 @@ int SkinCasting::cellOf(const VolumePicture& solid, const Vec<3>& point) const {
 }
 
 /// Returns the nearest corner of the cell, preferring vertices on the solid's border.
-int SkinCasting::vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const {
+int SkinCasting::vertexOf(const VolumePicture& solid, int cell, const Vec3& point) const {
     int best = -1;
     std::pair<bool, double> least;
     for (const int v : solid.rest->cells[cell]) {
@@ -106,7 +106,7 @@ int SkinCasting::vertexOf(const VolumePicture& solid, int cell, const Vec<3>& po
     return best;
 }
 
-SolidHit SkinCasting::hit(const Ray& ray, const VolumePicture& solid, const Points<3>& skinPose,
+SolidHit SkinCasting::hit(const Ray& ray, const VolumePicture& solid, const Points3& skinPose,
                           const std::optional<CutPlane>& cut) {
     update(solid, skinPose);
     SolidHit result;
@@ -201,7 +201,7 @@ void DrawnSolid::remakeSurface() {
     m_rays.takeSurface(ridesInside() ? partOf(m_surface, true) : m_surface);
 }
 
-const Points<3>& DrawnSolid::skinPose() const {
+const Points3& DrawnSolid::skinPose() const {
     if (!m_ridden) m_ridden = m_picture.embedding->carry(*m_picture.rest, m_picture.pose);
     return *m_ridden;
 }
@@ -210,7 +210,7 @@ const Points<3>& DrawnSolid::skinPose() const {
 /// inner vertices. Cached per surface.
 const std::vector<int>& DrawnSolid::skinPoints() const {
     if (std::exchange(m_nearestOf, m_picture.skin) == m_picture.skin) return m_nearest;
-    const Points<3>& rest = m_picture.rest->points;
+    const Points3& rest = m_picture.rest->points;
     const std::vector<Cell<3>> none;
     const PointLocator<3> search(m_picture.skin->points, none);
     m_nearest.assign(static_cast<std::size_t>(rest.cols()), -1);
@@ -223,7 +223,7 @@ const std::vector<int>& DrawnSolid::skinPoints() const {
     return m_nearest;
 }
 
-Vec<3> DrawnSolid::placeOf(int vertex) const {
+Vec3 DrawnSolid::placeOf(int vertex) const {
     const int point = showsSkin() ? skinPoints()[static_cast<std::size_t>(vertex)] : -1;
     return point < 0 ? m_picture.pose.col(vertex) : skinPose().col(point);
 }
@@ -233,16 +233,16 @@ std::optional<CutPlane> DrawnSolid::clip() const {
 }
 
 /// A surface embedded in the solid hides it, unless a section is filled with its cells.
-Points<3> DrawnSolid::points() const {
-    const Points<3> none(3, 0);
-    const Points<3>& skin = showsSkin() ? skinPose() : none;
-    const Points<3>& solid = showsSkin() && m_cut == CutKind::None ? none : m_picture.pose;
-    Points<3> all(3, skin.cols() + solid.cols() + static_cast<Eigen::Index>(m_glyphs.size()));
+Points3 DrawnSolid::points() const {
+    const Points3 none(3, 0);
+    const Points3& skin = showsSkin() ? skinPose() : none;
+    const Points3& solid = showsSkin() && m_cut == CutKind::None ? none : m_picture.pose;
+    Points3 all(3, skin.cols() + solid.cols() + static_cast<Eigen::Index>(m_glyphs.size()));
     all.leftCols(skin.cols()) = skin;
     all.middleCols(skin.cols(), solid.cols()) = solid;
     Eigen::Index next = skin.cols() + solid.cols();
     for (const DrawVertex& vertex : m_glyphs)
-        all.col(next++) = Vec<3>(vertex.position[0], vertex.position[1], vertex.position[2]);
+        all.col(next++) = Vec3(vertex.position[0], vertex.position[1], vertex.position[2]);
     return all;
 }
 
@@ -286,7 +286,7 @@ QStringList DrawnSolid::uploadTextures() {
 
 /// The section of a cut detailed surface is that of the solid.
 void DrawnSolid::uploadMeshes() {
-    const Points<3>& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
+    const Points3& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
     const bool exact = m_cut == CutKind::Exact;
     if (showsSkin())
         m_outer = drawMesh(*m_picture.skin, *m_picture.embedding);
@@ -302,12 +302,12 @@ void DrawnSolid::uploadMeshes() {
 
 void DrawnSolid::uploadPose() {
     m_hasNormals = !m_style.flat;
-    Points<3> outer = showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose);
+    Points3 outer = showsSkin() ? skinPose() : drawnPoints(m_outer, m_picture.pose);
     m_renderer.setPose(SurfaceRenderer::Outer, m_outer, outer, m_hasNormals);
     m_contour.takePoints(std::move(outer));
-    const Points<3> section = drawnPoints(m_section, m_picture.pose);
+    const Points3 section = drawnPoints(m_section, m_picture.pose);
     m_renderer.setPose(SurfaceRenderer::Section, m_section, section, true);
-    Points<3> ends(3, static_cast<Eigen::Index>(2 * m_outline.size()));
+    Points3 ends(3, static_cast<Eigen::Index>(2 * m_outline.size()));
     Eigen::Index next = 0;
     for (const auto& edge : m_outline)
         for (const int point : edge) ends.col(next++) = section.col(point);
@@ -319,8 +319,8 @@ void DrawnSolid::uploadPose() {
 /// Makes the rim for the current view, including the border of a section.
 void DrawnSolid::uploadRim(const Sight& sight) {
     if (!std::exchange(m_hasContour, true)) m_contour.takeTriangles(m_outer.triangles);
-    const Points<3> contour = m_contour.ends(sight.view, sight.orthographic, clip());
-    Points<3> ends(3, contour.cols() + m_sectionEnds.cols());
+    const Points3 contour = m_contour.ends(sight.view, sight.orthographic, clip());
+    Points3 ends(3, contour.cols() + m_sectionEnds.cols());
     ends << contour, m_sectionEnds;
     m_renderer.setRim(ends);
 }
@@ -351,14 +351,13 @@ void DrawnSolid::uploadColours() {
 void DrawnSolid::uploadPlaces(SurfaceRenderer::Layer layer, const DrawMesh& mesh, bool skin) {
     const SolidPaint& paint = m_picture.paint;
     const bool isPainted = paint.opacity > 0;
-    const auto onPoints = [&](const Points<3>& values) {
+    const auto onPoints = [&](const Points3& values) {
         return skin ? m_picture.embedding->interpolate(*m_picture.rest, values) : drawnPoints(mesh, values);
     };
     std::vector<SurfaceRenderer::Place> places;
     if (isPainted || m_picture.places.cols() > 0) {
-        const Points<3> ofPoints = onPoints(isPainted ? paint.colours : m_picture.places);
-        const Points<3> opacities =
-            isPainted ? onPoints(paint.opacities) : Points<3>::Zero(3, ofPoints.cols());
+        const Points3 ofPoints = onPoints(isPainted ? paint.colours : m_picture.places);
+        const Points3 opacities = isPainted ? onPoints(paint.opacities) : Points3::Zero(3, ofPoints.cols());
         for (const DrawMesh::Vertex& vertex : mesh.vertices) {
             Eigen::Vector4f place;
             place << ofPoints.col(vertex.point).cast<float>(), static_cast<float>(opacities(0, vertex.point));
@@ -380,11 +379,11 @@ void DrawnSolid::uploadGlyphs() {
     std::map<QRgb, std::vector<DrawVertex>> marked;
     for (const int f : m_picture.marked) {
         const Facet<3>& facet = (*m_picture.facets)[static_cast<std::size_t>(f)];
-        const Vec<3> a = m_picture.pose.col(facet.vertices[0]);
-        const Vec<3> b = m_picture.pose.col(facet.vertices[1]), c = m_picture.pose.col(facet.vertices[2]);
-        const Vec<3> normal = (b - a).cross(c - a).stableNormalized();
+        const Vec3 a = m_picture.pose.col(facet.vertices[0]);
+        const Vec3 b = m_picture.pose.col(facet.vertices[1]), c = m_picture.pose.col(facet.vertices[2]);
+        const Vec3 normal = (b - a).cross(c - a).stableNormalized();
         const QRgb colour = m_picture.cellColours[facet.cells[0]];
-        for (const Vec<3>& corner : {a, b, c}) marked[colour].push_back(drawVertex(corner, normal, colour));
+        for (const Vec3& corner : {a, b, c}) marked[colour].push_back(drawVertex(corner, normal, colour));
     }
     std::vector<std::vector<DrawVertex>> kinds;
     for (auto& [colour, triangles] : marked) kinds.push_back(std::move(triangles));
@@ -418,7 +417,7 @@ QRgb dimmed(QRgb colour) {
     return qRgb(half(qRed(colour)), half(qGreen(colour)), half(qBlue(colour)));
 }
 
-VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+VolumePicture pictureOfSurface(const Points3& points, const std::vector<std::array<int, 3>>& triangles,
                                std::vector<QRgb> colours) {
     VolumePicture picture;
     picture.rest = std::make_shared<const SimplicialMesh<3>>();

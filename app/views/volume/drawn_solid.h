@@ -23,7 +23,7 @@ namespace wend {
 /// the opacity in the first row of `opacities`. Cells may have colours of their own instead, not
 /// premultiplied.
 struct SolidPaint {
-    Points<3> colours = Points<3>(3, 0), opacities = Points<3>(3, 0);
+    Points3 colours = Points3(3, 0), opacities = Points3(3, 0);
     std::vector<QRgb> own;  // per cell; 0: as its vertices
     double opacity = 0;     // of all paint; 0: there is none
 
@@ -37,11 +37,11 @@ struct SolidPaint {
 struct VolumePicture {
     std::shared_ptr<const SimplicialMesh<3>> rest;
     std::shared_ptr<const std::vector<Facet<3>>> facets;
-    Points<3> pose;
+    Points3 pose;
     std::vector<QRgb> cellColours;  // one per cell; empty: one plain colour
     // Positions of smooth colours in the ramp, from 0 to 1, a column per vertex (first number). None: each
     // cell has its own colour.
-    Points<3> places = Points<3>(3, 0);
+    Points3 places = Points3(3, 0);
     std::vector<QRgb> ramp;
     // Lies over those colours, and over a skin's own.
     SolidPaint paint;
@@ -59,7 +59,7 @@ struct VolumePicture {
 QRgb dimmed(QRgb colour);
 
 /// Returns a surface alone, without tetrahedra, with one colour per triangle.
-VolumePicture pictureOfSurface(const Points<3>& points, const std::vector<std::array<int, 3>>& triangles,
+VolumePicture pictureOfSurface(const Points3& points, const std::vector<std::array<int, 3>>& triangles,
                                std::vector<QRgb> colours);
 
 /// Reads the pictures of the skin's materials, scaled to what every GPU supports; null if there is none or it
@@ -76,7 +76,7 @@ class RayCasting {
     }
     void takePose() { m_poseStale = true; }
     /// Returns the nearest triangle that the ray hits; cell −1 if there is none.
-    SolidHit hit(const Ray& ray, const Points<3>& pose);
+    SolidHit hit(const Ray& ray, const Points3& pose);
     /// Boxes and triangles that the last hit() looked at.
     int visited() const { return m_visited; }
 
@@ -96,15 +96,15 @@ class SkinCasting {
     void takeSkin() { m_skinStale = true; }
     void takePose() { m_poseStale = true; }
     /// Returns the nearest point of the skin on the ray that the cut has left; cell −1 if there is none.
-    SolidHit hit(const Ray& ray, const VolumePicture& solid, const Points<3>& skinPose,
+    SolidHit hit(const Ray& ray, const VolumePicture& solid, const Points3& skinPose,
                  const std::optional<CutPlane>& cut);
     /// Boxes and triangles that the last hit() looked at.
     int visited() const { return m_visited; }
 
   private:
-    void update(const VolumePicture& solid, const Points<3>& skinPose);
-    int cellOf(const VolumePicture& solid, const Vec<3>& point) const;
-    int vertexOf(const VolumePicture& solid, int cell, const Vec<3>& point) const;
+    void update(const VolumePicture& solid, const Points3& skinPose);
+    int cellOf(const VolumePicture& solid, const Vec3& point) const;
+    int vertexOf(const VolumePicture& solid, int cell, const Vec3& point) const;
 
     TriangleTree m_tree;                       // of the skin's pose
     std::optional<PointLocator<3>> m_locator;  // at rest
@@ -135,7 +135,7 @@ class DrawnSolid {
     void setCut(CutKind kind, const CutPlane& plane);
     CutKind cut() const { return m_cut; }
     const CutPlane& plane() const { return m_plane; }
-    bool isCutOff(const Vec<3>& p) const { return m_cut != CutKind::None && m_plane.height(p) > 1e-9; }
+    bool isCutOff(const Vec3& p) const { return m_cut != CutKind::None && m_plane.height(p) > 1e-9; }
     /// Sets additional triangles; the veiled ones are faintly visible where they are covered. Returns false
     /// if there are none and there were none.
     bool setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled);
@@ -145,11 +145,11 @@ class DrawnSolid {
     /// Returns whether an embedded surface is drawn instead of the solid's border.
     bool showsSkin() const { return m_picture.skin && m_cut != CutKind::WholeCells; }
     /// Returns the points of that surface.
-    const Points<3>& skinPose() const;
+    const Points3& skinPose() const;
     /// Returns where a vertex is drawn: that surface is in the place of the solid's border.
-    Vec<3> placeOf(int vertex) const;
+    Vec3 placeOf(int vertex) const;
     /// Returns all drawn points.
-    Points<3> points() const;
+    Points3 points() const;
     /// Returns the nearest drawn point that the ray hits.
     SolidHit hit(const Ray& ray) const;
     /// Boxes and triangles that the last hit() looked at.
@@ -187,9 +187,9 @@ class DrawnSolid {
     CutSurface m_surface;
     DrawMesh m_outer, m_section;
     std::vector<std::array<int, 2>> m_outline;        // of the section: its points
-    Points<3> m_sectionEnds{3, 0};                    // of the lines of the outline
+    Points3 m_sectionEnds{3, 0};                      // of the lines of the outline
     Contour m_contour;                                // of m_outer, if it is asked for
-    mutable std::optional<Points<3>> m_ridden;        // until the pose changes
+    mutable std::optional<Points3> m_ridden;          // until the pose changes
     mutable std::shared_ptr<const Skin> m_nearestOf;  // owner of m_nearest
     mutable std::vector<int> m_nearest;               // points of that surface to the vertices
     mutable RayCasting m_rays;

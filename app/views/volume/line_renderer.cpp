@@ -28,21 +28,20 @@ void Contour::takeTriangles(const std::vector<std::array<int, 3>>& triangles) {
     }
 }
 
-Points<3> Contour::ends(const Eigen::Matrix4d& view, bool orthographic,
-                        const std::optional<CutPlane>& clip) const {
-    const Mat<3> turn = view.topLeftCorner<3, 3>();
-    const Vec<3> eye = -(turn.transpose() * view.topRightCorner<3, 1>()), toViewer = turn.row(2);
+Points3 Contour::ends(const Eigen::Matrix4d& view, bool orthographic,
+                      const std::optional<CutPlane>& clip) const {
+    const Mat3 turn = view.topLeftCorner<3, 3>();
+    const Vec3 eye = -(turn.transpose() * view.topRightCorner<3, 1>()), toViewer = turn.row(2);
     std::vector<bool> faces(m_triangles.size());
     for (std::size_t t = 0; t < m_triangles.size(); ++t) {
-        const Vec<3> a = m_points.col(m_triangles[t][0]);
-        const Vec<3> normal =
-            (m_points.col(m_triangles[t][1]) - a).cross(m_points.col(m_triangles[t][2]) - a);
-        faces[t] = normal.dot(orthographic ? toViewer : Vec<3>(eye - a)) > 0;
+        const Vec3 a = m_points.col(m_triangles[t][0]);
+        const Vec3 normal = (m_points.col(m_triangles[t][1]) - a).cross(m_points.col(m_triangles[t][2]) - a);
+        faces[t] = normal.dot(orthographic ? toViewer : Vec3(eye - a)) > 0;
     }
-    std::vector<Vec<3>> ends;
+    std::vector<Vec3> ends;
     for (const Edge& edge : m_edges) {
         if (edge.other >= 0 && faces[edge.one] == faces[edge.other]) continue;
-        Vec<3> a = m_points.col(edge.from), b = m_points.col(edge.to);
+        Vec3 a = m_points.col(edge.from), b = m_points.col(edge.to);
         const double heightOfA = clip ? clip->height(a) : -1, heightOfB = clip ? clip->height(b) : -1;
         if (heightOfA > 0 && heightOfB > 0) continue;
         if (heightOfA > 0) a += heightOfA / (heightOfA - heightOfB) * (b - a);
@@ -50,7 +49,7 @@ Points<3> Contour::ends(const Eigen::Matrix4d& view, bool orthographic,
         ends.push_back(a);
         ends.push_back(b);
     }
-    Points<3> columns(3, static_cast<Eigen::Index>(ends.size()));
+    Points3 columns(3, static_cast<Eigen::Index>(ends.size()));
     for (Eigen::Index i = 0; i < columns.cols(); ++i) columns.col(i) = ends[static_cast<std::size_t>(i)];
     return columns;
 }

@@ -21,9 +21,9 @@ class Contour {
   public:
     /// Takes triangles of point indices.
     void takeTriangles(const std::vector<std::array<int, 3>>& triangles);
-    void takePoints(Points<3> points) { m_points = std::move(points); }
+    void takePoints(Points3 points) { m_points = std::move(points); }
     /// Returns both ends of each silhouette edge in a view, without parts above the plane.
-    Points<3> ends(const Eigen::Matrix4d& view, bool orthographic, const std::optional<CutPlane>& clip) const;
+    Points3 ends(const Eigen::Matrix4d& view, bool orthographic, const std::optional<CutPlane>& clip) const;
 
   private:
     struct Edge {
@@ -32,7 +32,7 @@ class Contour {
     };
     std::vector<std::array<int, 3>> m_triangles;
     std::vector<Edge> m_edges;
-    Points<3> m_points;
+    Points3 m_points;
 };
 
 /// Lines in space, as wide on the screen as one likes (OpenGL 3.3). All calls with the context current.

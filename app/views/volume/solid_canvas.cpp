@@ -21,19 +21,19 @@ constexpr double kNear = 0.2;                                 // fraction of the
 constexpr std::size_t kMostRays = 4000;  // vertices of one handle beyond which all count as visible
 
 /// Adds the directions of a selected curve, which may be far from it.
-void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec<3>>& points) {
+void addDirections(const Pin& handle, const PinPath& path, std::vector<Vec3>& points) {
     for (const PinMotion& motion : handle.motions) {
         const auto* curve = std::get_if<CurveMotion<3>>(&motion.kind);
         const auto at = std::lower_bound(path.times.begin(), path.times.end(), motion.start);
         if (!curve || curve->points.empty() || at == path.times.end()) continue;
-        const Vec<3> start = path.points[static_cast<std::size_t>(at - path.times.begin())];
-        for (const Vec<3>& p : curve->points) points.push_back(start + p - curve->points.front());
+        const Vec3 start = path.points[static_cast<std::size_t>(at - path.times.begin())];
+        for (const Vec3& p : curve->points) points.push_back(start + p - curve->points.front());
     }
 }
 
 /// Returns the points of the pins and their paths as they are drawn.
-std::vector<Vec<3>> pathPoints(const ShapeSession& session) {
-    std::vector<Vec<3>> points;
+std::vector<Vec3> pathPoints(const ShapeSession& session) {
+    std::vector<Vec3> points;
     for (const PinView& view : session.gestures().pins()) points.push_back(view.centre);
     const auto& handles = session.document().design().handles;
     for (int h = 0; h < static_cast<int>(handles.size()); ++h) {
@@ -95,13 +95,13 @@ void SolidViewpoint::keep() {
     m_document.setCamera(isKept ? std::optional(now) : std::nullopt);
 }
 
-void SolidViewpoint::lookAlong(const Vec<3>& direction) {
+void SolidViewpoint::lookAlong(const Vec3& direction) {
     m_view.camera().lookAlong(direction);
     m_isFitted = true;
     m_view.fit();
 }
 
-void SolidViewpoint::zoomTo(const Points<3>& points) {
+void SolidViewpoint::zoomTo(const Points3& points) {
     m_isFitted = false;
     Camera camera = m_view.camera();
     camera.fit(points, m_view.size());
@@ -188,7 +188,7 @@ void SolidCanvas::showPreview(const Skin& skin) {
     redraw();
 }
 
-void SolidCanvas::showRefused(VolumePicture picture, const Vec<3>& direction) {
+void SolidCanvas::showRefused(VolumePicture picture, const Vec3& direction) {
     const bool isNew = m_viewpoint.begin();
     m_toFit = false;
     setPicture(std::move(picture), false);
@@ -211,14 +211,14 @@ void SolidCanvas::resizeEvent(QResizeEvent* event) {
 }
 
 /// Returns the points to fit the view to, with pins and paths.
-Points<3> SolidCanvas::fitted() const {
-    const Points<3> drawn = VolumeView::fitted();
+Points3 SolidCanvas::fitted() const {
+    const Points3 drawn = VolumeView::fitted();
     if (m_viewport.looks().hidden || !m_session.motion().frame<3>()) return drawn;
-    const std::vector<Vec<3>> marked = pathPoints(m_session);
-    Points<3> all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
+    const std::vector<Vec3> marked = pathPoints(m_session);
+    Points3 all(3, drawn.cols() + static_cast<Eigen::Index>(marked.size()));
     all.leftCols(drawn.cols()) = drawn;
     Eigen::Index next = drawn.cols();
-    for (const Vec<3>& p : marked) all.col(next++) = p;
+    for (const Vec3& p : marked) all.col(next++) = p;
     return all;
 }
 
@@ -230,15 +230,15 @@ void SolidCanvas::showCell(int cell) {
     const auto frame = m_session.motion().frame<3>();
     if (!frame || cell < 0 || cell >= frame->cells) return;
     m_overlay->markCell(cell, frame->shape);
-    Points<3> around(3, 4);
+    Points3 around(3, 4);
     for (int k = 0; k < 4; ++k) around.col(k) = frame->pose.col(frame->rest->cells[cell][k]);
-    const Vec<3> centre = around.rowwise().mean();
+    const Vec3 centre = around.rowwise().mean();
     const double wanted = kNear * frame->diagonal,
                  is = (around.colwise() - centre).colwise().norm().maxCoeff();
     m_viewpoint.zoomTo(((around.colwise() - centre) * std::max(1.0, wanted / is)).colwise() + centre);
 }
 
-void SolidCanvas::showPlace(const Vec<3>& at) {
+void SolidCanvas::showPlace(const Vec3& at) {
     Camera next = camera();
     next.lookAt(at);
     setCamera(next);
@@ -303,8 +303,8 @@ void SolidCanvas::wheelEvent(QWheelEvent* event) {
 
 // --- The interface of a solid's view for tools ---
 
-QPointF SolidCanvas::onScreen(const Vec<3>& p) const {
-    const Vec<3> screen = camera().project(p, size());
+QPointF SolidCanvas::onScreen(const Vec3& p) const {
+    const Vec3 screen = camera().project(p, size());
     return {screen.x(), screen.y()};
 }
 
@@ -340,7 +340,7 @@ void SolidCanvas::showMaterial(const FramePtr& painted, bool lasts) {
 }
 
 /// Whole cells reach beyond the plane: points on the drawn surface are not cut off.
-bool SolidCanvas::isHidden(const Place&, const Vec<3>& p) const {
+bool SolidCanvas::isHidden(const Place&, const Vec3& p) const {
     const Ray sight = ray(onScreen(p));
     const SolidHit hit = solid().hit(sight);
     const double within = 2 * pixelSize(p);
@@ -353,13 +353,13 @@ bool SolidCanvas::isHidden(const Place&, const Vec<3>& p) const {
 /// Asks through its middle and those of its sides.
 std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
     if (!showsFrame()) return {};
-    const Points<3>& pose = solid().picture().pose;
+    const Points3& pose = solid().picture().pose;
     const Cell<3>& corners = solid().picture().rest->cells[cell];
-    Vec<3> sum = Vec<3>::Zero();
+    Vec3 sum = Vec3::Zero();
     for (const int v : corners) sum += pose.col(v);
-    std::vector<Vec<3>> middles = {sum / 4};
+    std::vector<Vec3> middles = {sum / 4};
     for (const int v : corners) middles.push_back((sum - pose.col(v)) / 3);
-    for (const Vec<3>& middle : middles) {
+    for (const Vec3& middle : middles) {
         const SolidHit hit = solid().hit(ray(onScreen(middle)));
         if (hit.cell == cell) return hit.point;
     }
@@ -367,12 +367,12 @@ std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
 }
 
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {
-    const Points<3>& pose = solid().picture().pose;
+    const Points3& pose = solid().picture().pose;
     const bool asks = vertices.size() <= kMostRays;
     std::vector<VertexMark> marks;
     for (const int v : vertices) {
         if (v >= pose.cols()) continue;
-        const Vec<3> at = solid().placeOf(v);
+        const Vec3 at = solid().placeOf(v);
         if (!isCutOff(at) && !isCutOff(pose.col(v))) marks.push_back({at, asks && isHidden({}, pose.col(v))});
     }
     return marks;

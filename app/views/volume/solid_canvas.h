@@ -26,9 +26,9 @@ class SolidViewpoint {
     /// Keeps the camera in the document, unless the user has not moved it.
     void keep();
     /// Turns the view.
-    void lookAlong(const Vec<3>& direction);
+    void lookAlong(const Vec3& direction);
     /// Shows these points as large as they fit.
-    void zoomTo(const Points<3>& points);
+    void zoomTo(const Points3& points);
 
     bool isFitted() const { return m_isFitted; }
     /// The view follows its size no more.
@@ -62,8 +62,8 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     ShapeSession& session() override { return m_session; }
     Ray ray(const QPointF& widget) const override { return camera().ray({widget.x(), widget.y()}, size()); }
     QPointF onScreen(const Vec3& p) const override;
-    double pixelSize(const Vec<3>& at) const override { return camera().pixelSize(size(), at); }
-    Vec<3> viewDirection() const override { return camera().direction(); }
+    double pixelSize(const Vec3& at) const override { return camera().pixelSize(size(), at); }
+    Vec3 viewDirection() const override { return camera().direction(); }
     SolidHit pick(const QPointF& widget) const override;
     std::optional<Touch> touch(const QPointF& widget) const override;
     FramePtr shownFrame() const override { return m_preview.over(m_session.motion().frame<3>()); }
@@ -71,7 +71,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;
     bool isHidden(const Place& place, const Vec3& p) const override;
-    bool isCutOff(const Vec<3>& p) const override { return solid().isCutOff(p); }
+    bool isCutOff(const Vec3& p) const override { return solid().isCutOff(p); }
     std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
     void redraw() override;
@@ -92,7 +92,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     /// The surface of a file while its tetrahedra are being made.
     void showPreview(const Skin& skin);
     /// A surface that bounds no solid: seen along the direction at first in a document, then as the view is.
-    void showRefused(VolumePicture picture, const Vec<3>& direction);
+    void showRefused(VolumePicture picture, const Vec3& direction);
     /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);
     /// Freezes the shown frame while rows of a picture are drawn.
@@ -109,10 +109,10 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
   signals:
     void cutChanged();
     /// Emits the cell under the pointer with its nearest corner and the point; cell −1 for none.
-    void pointedAt(int cell, int vertex, const wend::Vec<3>& point);
+    void pointedAt(int cell, int vertex, const wend::Vec3& point);
 
   protected:
-    Points<3> fitted() const override;
+    Points3 fitted() const override;
     bool isMoving() const override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;

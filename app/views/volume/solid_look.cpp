@@ -31,7 +31,7 @@ SolidPaint paintOf(const ShapeFrame& frame, const std::vector<QRgb>& ofCells,
                    const std::vector<bool>& sharp) {
     SolidPaint paint;
     const auto means = softColours(frame, ofCells);
-    paint.colours = paint.opacities = Points<3>::Zero(3, static_cast<Eigen::Index>(means.size()));
+    paint.colours = paint.opacities = Points3::Zero(3, static_cast<Eigen::Index>(means.size()));
     for (std::size_t v = 0; v < means.size(); ++v) {
         paint.colours.col(static_cast<Eigen::Index>(v)) = means[v].head<3>() / 255;
         paint.opacities(0, static_cast<Eigen::Index>(v)) = means[v][3] / 255;
@@ -117,7 +117,7 @@ void SolidLook::addMap(VolumePicture& picture, const PosedFrame<3>& frame) const
         picture.cellColours.push_back(own(colourAt(measure, positionIn(range, measure, value))));
     if (!smooth) return;
     const auto places = smoothPlaces(frame, values, measure, range);
-    picture.places = Points<3>::Zero(3, frame.pose.cols());
+    picture.places = Points3::Zero(3, frame.pose.cols());
     picture.places.row(0) =
         Eigen::Map<const Eigen::RowVectorXd>(places.data(), static_cast<Eigen::Index>(places.size()));
     picture.ramp = colourRamp(measure);
@@ -154,7 +154,7 @@ std::pair<std::vector<DrawVertex>, std::vector<DrawVertex>> SolidLook::glyphs(co
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());
     }
     if (m_faults && m_viewport.showsMap() && !looks.rest && !looks.standIn) {
-        const auto faulty = faultMarks(frame, *m_faults, [&](const Vec<3>& p) { return solid.isCutOff(p); });
+        const auto faulty = faultMarks(frame, *m_faults, [&](const Vec3& p) { return solid.isCutOff(p); });
         for (auto* list : {&triangles, &ellipsoids}) list->insert(list->end(), faulty.begin(), faulty.end());
     }
     return {std::move(triangles), std::move(ellipsoids)};

@@ -13,7 +13,7 @@ namespace wend {
 namespace {
 
 /// Paints a small cross of the axes of the world, the nearest last.
-void paintCompass(QPainter& painter, const QPointF& at, const Mat<3>& worldToScreen) {
+void paintCompass(QPainter& painter, const QPointF& at, const Mat3& worldToScreen) {
     std::array<int, 3> order = {0, 1, 2};
     std::sort(order.begin(), order.end(),
               [&](int a, int b) { return worldToScreen(2, a) < worldToScreen(2, b); });

@@ -166,9 +166,9 @@ void SurfaceRenderer::setMesh(Layer layer, const DrawMesh& mesh) {
     setOptional(2, triangles.uv, mesh.uv);
 }
 
-void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals) {
+void SurfaceRenderer::setPose(Layer layer, const DrawMesh& mesh, const Points3& points, bool withNormals) {
     if (layer == Outer && points.cols() > 0) {
-        const Vec<3> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+        const Vec3 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
         m_centre = (low + high) / 2;
         m_scale = (high - low).norm();
         if (!m_centre.allFinite()) m_centre.setZero();
@@ -204,7 +204,7 @@ void SurfaceRenderer::setRamp(const std::vector<QRgb>& colours) {
     m_ramp->setWrapMode(QOpenGLTexture::ClampToEdge);
 }
 
-std::vector<std::array<float, 3>> SurfaceRenderer::placesOf(const Points<3>& points) const {
+std::vector<std::array<float, 3>> SurfaceRenderer::placesOf(const Points3& points) const {
     std::vector<std::array<float, 3>> places;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         const Eigen::Vector3f p = normalized(points.col(i));
@@ -242,8 +242,8 @@ void SurfaceRenderer::setTextures(const std::vector<QImage>& pictures) {
 /// m_scale + m_centre) / m_scale, which the projection reverts.
 std::pair<Eigen::Matrix4d, Eigen::Matrix4d> SurfaceRenderer::matricesOf(const Sight& sight) const {
     Eigen::Matrix4d view = sight.view, projection = sight.projection;
-    const Mat<3> turn = view.topLeftCorner<3, 3>();
-    const Vec<3> shift = view.topRightCorner<3, 1>();
+    const Mat3 turn = view.topLeftCorner<3, 3>();
+    const Vec3 shift = view.topRightCorner<3, 1>();
     view.topRightCorner<3, 1>() = (turn * m_centre + shift) / m_scale;
     projection.leftCols<3>() *= m_scale;
     return {view, projection};
@@ -270,8 +270,8 @@ void SurfaceRenderer::setUniforms(QOpenGLShaderProgram& program, const Sight& si
     program.setUniformValue("stripes", 0.0F);
     program.setUniformValue("clipPlane", kNoClip);
     if (!clip) return;
-    const Vec<3> normal = view.topLeftCorner<3, 3>() * clip->normal;
-    const Vec<3> point = (view * ((clip->point - m_centre) / m_scale).homogeneous()).head<3>();
+    const Vec3 normal = view.topLeftCorner<3, 3>() * clip->normal;
+    const Vec3 point = (view * ((clip->point - m_centre) / m_scale).homogeneous()).head<3>();
     program.setUniformValue(
         "clipPlane", QVector4D(QVector3D(static_cast<float>(normal.x()), static_cast<float>(normal.y()),
                                          static_cast<float>(normal.z())),
@@ -368,7 +368,7 @@ void SurfaceRenderer::fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex
     glyphs.count = static_cast<int>(triangles.size() / 3);
     for (DrawVertex& vertex : vertices) {
         const auto& [x, y, z] = vertex.position;
-        const Eigen::Vector3f p = normalized(Vec<3>(x, y, z));
+        const Eigen::Vector3f p = normalized(Vec3(x, y, z));
         vertex.position = {p.x(), p.y(), p.z()};
     }
     allocate(glyphs.vertices, vertices);

@@ -71,7 +71,7 @@ class SurfaceRenderer {
     /// Sets triangles, creases and texture points, once for each surface. Its pose must be set afterwards.
     void setMesh(Layer layer, const DrawMesh& mesh);
     /// Positions of the mesh's points; also normals, unless all faces are flat.
-    void setPose(Layer layer, const DrawMesh& mesh, const Points<3>& points, bool withNormals);
+    void setPose(Layer layer, const DrawMesh& mesh, const Points3& points, bool withNormals);
     /// Sets one colour per triangle.
     void setColours(Layer layer, const std::vector<QRgb>& colours) { fill(m_layers[layer].colours, colours); }
     /// Sets map colours over the layer, one per triangle, drawn with the opacity in `style`.
@@ -88,9 +88,9 @@ class SurfaceRenderer {
     /// The colours of the places from 0 to 1; none: there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Sets lines around the section, by both ends of each.
-    void setOutline(const Points<3>& ends) { m_outline.set(placesOf(ends)); }
+    void setOutline(const Points3& ends) { m_outline.set(placesOf(ends)); }
     /// Sets the edges of the rim, by both ends of each.
-    void setRim(const Points<3>& ends) { m_rim.set(placesOf(ends)); }
+    void setRim(const Points3& ends) { m_rim.set(placesOf(ends)); }
     /// Sets additional triangles: arrows, ellipsoids.
     void setGlyphs(const std::vector<DrawVertex>& triangles) { fillGlyphs(m_glyphs, triangles); }
     /// Sets triangles that are visible through the surface, faintly, only where they are covered.
@@ -126,7 +126,7 @@ class SurfaceRenderer {
     bool setOptional(GLuint location, QOpenGLBuffer& buffer, const std::vector<T>& values);
     void createGlyphs(Triangles& glyphs);
     void fillGlyphs(Triangles& glyphs, const std::vector<DrawVertex>& triangles);
-    std::vector<std::array<float, 3>> placesOf(const Points<3>& points) const;
+    std::vector<std::array<float, 3>> placesOf(const Points3& points) const;
     /// Returns the matrices in units of m_scale, relative to m_centre.
     std::pair<Eigen::Matrix4d, Eigen::Matrix4d> matricesOf(const Sight& sight) const;
     void setUniforms(QOpenGLShaderProgram& program, const Sight& sight, const SurfaceStyle& style,
@@ -136,7 +136,7 @@ class SurfaceRenderer {
     void drawVeiled();
     void drawMarked(QOpenGLShaderProgram& seen, const Sight& sight);
     LineRenderer::Look lineLook(const Sight& sight, double width, const QColor& colour) const;
-    Eigen::Vector3f normalized(const Vec<3>& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
+    Eigen::Vector3f normalized(const Vec3& p) const { return ((p - m_centre) / m_scale).cast<float>(); }
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_plain, m_edged;
@@ -146,7 +146,7 @@ class SurfaceRenderer {
     LineRenderer m_outline, m_rim;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures;
     std::unique_ptr<QOpenGLTexture> m_noTexture, m_ramp;
-    Vec<3> m_centre = Vec<3>::Zero();  // origin and scale of coordinates on the GPU
+    Vec3 m_centre = Vec3::Zero();  // origin and scale of coordinates on the GPU
     double m_scale = 1, m_paint = 0;
     bool m_isSoftware = false;
     QString m_error;

@@ -103,7 +103,7 @@ void VolumeView::setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVe
 }
 
 void VolumeView::fit() {
-    const Points<3>& pose = m_solid.picture().pose;
+    const Points3& pose = m_solid.picture().pose;
     if (pose.cols() == 0) return;
     m_camera.fit(fitted(), size());
     m_camera.setPivot((pose.rowwise().minCoeff() + pose.rowwise().maxCoeff()) / 2);
@@ -126,8 +126,8 @@ SolidHit VolumeView::pick(const QPointF& pixel) const {
 
 std::vector<int> VolumeView::verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                            bool visibleOnly) const {
-    const Points<3>& pose = m_solid.picture().pose;
-    const auto isCovered = [this](const Vec<3>& p, const Vec<3>& screen) {
+    const Points3& pose = m_solid.picture().pose;
+    const auto isCovered = [this](const Vec3& p, const Vec3& screen) {
         const Ray sight = m_camera.ray(screen.head<2>(), size());
         const SolidHit hit = m_solid.hit(sight);
         // A vertex of the surface is met by the ray itself, up to rounding.
@@ -136,7 +136,7 @@ std::vector<int> VolumeView::verticesWhere(const std::function<bool(const QPoint
     };
     std::vector<int> found;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) {
-        const Vec<3> p = pose.col(v), screen = m_camera.project(p, size());
+        const Vec3 p = pose.col(v), screen = m_camera.project(p, size());
         if (std::abs(screen.z()) > 1 || m_solid.isCutOff(p) || !inside({screen.x(), screen.y()})) continue;
         if (!visibleOnly || !isCovered(p, screen)) found.push_back(static_cast<int>(v));
     }

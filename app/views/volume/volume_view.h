@@ -60,7 +60,7 @@ class VolumeView : public QOpenGLWidget {
     /// Shows fitted(), and rotates around the middle of the solid from then on.
     void fit();
     /// Returns the points that fit() shows: all drawn ones.
-    virtual Points<3> fitted() const { return m_solid.points(); }
+    virtual Points3 fitted() const { return m_solid.points(); }
     void look(Camera::Axis axis);
     void setOrthographic(bool on);
 

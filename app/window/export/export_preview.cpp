@@ -74,10 +74,10 @@ QImage meshPreview(const FrameExport& shape, const std::shared_ptr<const ScreenP
     draw.filter = Filter::Bilinear;
     draw.size = request.room;
     const Extent<2> extent = extentOf<2>(draw.frame->pose, draw.frame->rest->cells);
-    const Mat<2> A = draw.texture ? draw.texture->toPixels.A : Mat<2>::Identity();
+    const Mat2 A = draw.texture ? draw.texture->toPixels.A : Mat2::Identity();
     draw.view.setPointsUp(draw.texture ? A.determinant() < 0 : !picture);
     draw.view.setZoomLimits(1e-9, 1e9);
-    const Vec<2> size = extent.high - extent.low;
+    const Vec2 size = extent.high - extent.low;
     draw.view.fit({extent.low.x(), extent.low.y(), size.x(), size.y()}, request.room, kFrameMargin);
     return RenderThread::render(draw);
 }

@@ -383,7 +383,7 @@ bool comesBack(const Pin& handle) {
         double farthest = 0, atEnd = 0;
         for (int k = 0; k <= kSamples; ++k) {
             const auto map = timeline.bodyAt(from + (to - from) * k / kSamples, Side::Before).position;
-            atEnd = map.b.norm() + (map.A - Mat<3>::Identity()).norm();
+            atEnd = map.b.norm() + (map.A - Mat3::Identity()).norm();
             farthest = std::max(farthest, atEnd);
         }
         return atEnd < kBack * farthest;

@@ -35,28 +35,28 @@ namespace wend {
 namespace {
 
 /// The default direction of view on a surface.
-const Vec<3> kAskew(-1, 1.4, -0.8);
+const Vec3 kAskew(-1, 1.4, -0.8);
 
 /// Returns points around some triangles, a little farther away than their corners.
-Points<3> surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
-    Points<3> corners(3, static_cast<Eigen::Index>(3 * triangles.size()));
+Points3 surroundingsOf(const Surface& surface, const std::vector<int>& triangles) {
+    Points3 corners(3, static_cast<Eigen::Index>(3 * triangles.size()));
     Eigen::Index count = 0;
     for (const int t : triangles)
         for (const int v : surface.triangles[t]) corners.col(count++) = surface.points.col(v);
-    const Vec<3> centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
+    const Vec3 centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
     return (1.5 * (corners.colwise() - centre)).colwise() + centre;
 }
 
 /// Returns false for triangles between the viewer and these points.
-std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, const Vec<3>& direction) {
-    const Vec<3> low = place.rowwise().minCoeff(), high = place.rowwise().maxCoeff();
-    const Vec<3> centre = (low + high) / 2, along = direction.normalized();
+std::vector<bool> notBefore(const Surface& surface, const Points3& place, const Vec3& direction) {
+    const Vec3 low = place.rowwise().minCoeff(), high = place.rowwise().maxCoeff();
+    const Vec3 centre = (low + high) / 2, along = direction.normalized();
     const double radius = (high - low).norm() / 2;
     std::vector<bool> kept(surface.triangles.size(), true);
     for (int t = 0; t < surface.triangleCount(); ++t) {
         double last = -std::numeric_limits<double>::infinity(), beside = last;
         for (const int v : surface.triangles[t]) {
-            const Vec<3> away = surface.points.col(v) - centre;
+            const Vec3 away = surface.points.col(v) - centre;
             last = std::max(last, away.dot(along));
             beside = std::max(beside, -(away - away.dot(along) * along).norm());
         }
@@ -66,12 +66,12 @@ std::vector<bool> notBefore(const Surface& surface, const Points<3>& place, cons
 }
 
 /// Returns the direction against the triangle's outer side, slightly from above.
-Vec<3> intoTriangle(const Surface& surface, int triangle) {
+Vec3 intoTriangle(const Surface& surface, int triangle) {
     const auto& t = surface.triangles[triangle];
-    const Vec<3> a = surface.points.col(t[0]);
-    const Vec<3> normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
+    const Vec3 a = surface.points.col(t[0]);
+    const Vec3 normal = (surface.points.col(t[1]) - a).cross(surface.points.col(t[2]) - a);
     if (!normal.allFinite() || normal.norm() == 0) return kAskew;
-    return -normal.normalized() + Vec<3>(0.15, 0.25, -0.3);
+    return -normal.normalized() + Vec3(0.15, 0.25, -0.3);
 }
 
 template <class List, class Text>
@@ -312,7 +312,7 @@ void SurfaceCheck::showSurface() {
 }
 
 /// Returns a direction of view in which the first fault is visible.
-Vec<3> SurfaceCheck::directionToWrong() const {
+Vec3 SurfaceCheck::directionToWrong() const {
     const auto wrong = m_found->problems.triangles(m_found->surface);
     return wrong.empty() ? kAskew : intoTriangle(m_found->surface, wrong.front());
 }
@@ -332,10 +332,10 @@ void SurfaceCheck::showPlace(bool fromNear) {
     if (chosen.empty()) return;
     const Surface& surface = m_found->surface;
     const bool adds = m_fix && m_fix->added > 0;
-    const Vec<3> direction =
+    const Vec3 direction =
         adds ? intoTriangle(m_fix->after.surface, m_fix->after.surface.triangleCount() - m_fix->added)
              : intoTriangle(surface, chosen.front());
-    const Points<3> place = surroundingsOf(surface, chosen);
+    const Points3 place = surroundingsOf(surface, chosen);
     VolumePicture marked = picture(notBefore(surface, place, direction), chosen, m_fix.get());
     m_canvas->setCutKind(CutKind::None);
     if (!fromNear) return m_canvas->showRefused(std::move(marked), direction);
@@ -394,8 +394,7 @@ void SurfaceCheck::showRepair(bool shown) {
     std::vector<QRgb> colours(surface.triangles.size(), kFine);
     std::fill(colours.begin() + kept, colours.end(), kAdded);
     for (const int t : m_repaired->left.triangles(surface)) colours[t] = kWrong;
-    const Vec<3> direction =
-        kept < surface.triangleCount() ? intoTriangle(surface, kept) : directionToWrong();
+    const Vec3 direction = kept < surface.triangleCount() ? intoTriangle(surface, kept) : directionToWrong();
     VolumePicture picture = pictureOfSurface(surface.points, surface.triangles, std::move(colours));
     picture.marked = markedIn(picture);
     picture.isOpen = !m_repaired->left.boundsVolume();

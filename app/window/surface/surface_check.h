@@ -67,7 +67,7 @@ class SurfaceCheck : public QObject {
     VolumePicture picture(const std::vector<bool>& kept, const std::vector<int>& chosen,
                           const FaultFix* fix) const;
     VolumePicture picture(const FaultFix* fix) const;
-    Vec<3> directionToWrong() const;
+    Vec3 directionToWrong() const;
     void showCase(int kind, int number);
     void showPlace(bool fromNear);
     void propose();

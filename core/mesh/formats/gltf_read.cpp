@@ -266,8 +266,8 @@ class GltfReader {
     }
 
     /// Equal points of one node are one vertex.
-    int vertexAt(const Transform& transform, const Vec<3>& p) {
-        const Vec<3> q = transform.topLeftCorner<3, 3>() * p + transform.topRightCorner<3, 1>();
+    int vertexAt(const Transform& transform, const Vec3& p) {
+        const Vec3 q = transform.topLeftCorner<3, 3>() * p + transform.topRightCorner<3, 1>();
         const std::array<double, 3> place{q.x(), -q.z(), q.y()};
         const auto [found, isNew] = m_places.try_emplace(place, static_cast<int>(m_points.size() / 3));
         if (isNew) m_points.insert(m_points.end(), place.begin(), place.end());

@@ -278,7 +278,7 @@ std::vector<std::string> objLookFiles(const std::string& bytes, const std::strin
     return files;
 }
 
-std::string withVertices(const std::string& bytes, const Skin& skin, const Points<3>& points,
+std::string withVertices(const std::string& bytes, const Skin& skin, const Points3& points,
                          const std::string& newFolder) {
     const std::string oldFolder = fs::path(skin.path).parent_path().string();
     TextWriter out;

@@ -17,7 +17,7 @@ std::vector<std::string> objLookFiles(const std::string& bytes, const std::strin
 
 /// Returns the bytes of a skin's OBJ file with other vertices: its normals turn with the surface, and its
 /// material files are named from `newFolder` instead of its own.
-std::string withVertices(const std::string& bytes, const Skin& skin, const Points<3>& points,
+std::string withVertices(const std::string& bytes, const Skin& skin, const Points3& points,
                          const std::string& newFolder);
 
 }  // namespace wend::formats

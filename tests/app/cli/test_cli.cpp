@@ -128,7 +128,7 @@ void TestCli::translatedStrip() {
     const SimplicialMesh<2> rest = stripMesh(10, 2);
     QVERIFY(trianglesOf(*moved) == rest.cells);
     for (int i = 0; i < rest.vertexCount(); ++i)
-        QVERIFY((pointsOf(*moved).col(i).head<2>() - rest.points.col(i) - Vec<2>(3, 0.5)).norm() < 1e-13);
+        QVERIFY((pointsOf(*moved).col(i).head<2>() - rest.points.col(i) - Vec2(3, 0.5)).norm() < 1e-13);
 }
 
 void TestCli::velocityTable() {
@@ -157,7 +157,7 @@ void TestCli::velocityOnTheMesh() {
 }
 
 void TestCli::solvers() {
-    std::vector<Points<3>> poses;
+    std::vector<Points3> poses;
     for (const char* solver : {"direct", "multigrid"}) {
         const std::string mesh = std::string(solver) + ".mesh";
         succeed({"run", "bar.wend", "--solver", solver, "--report", "r.json", "--mesh", mesh.c_str()});
@@ -294,7 +294,7 @@ void TestCli::repeatedSequences() {
 void TestCli::stopsEarlier() {
     succeed({"run", "strip.wend", "--at", "0.5", "--mesh", "half.obj"});
     const auto halfway = sharedMeshFile(file("half.obj"));
-    QVERIFY((pointsOf(*halfway).col(0) - Vec<3>(1.5, 0.25, 0)).norm() < 1e-13);
+    QVERIFY((pointsOf(*halfway).col(0) - Vec3(1.5, 0.25, 0)).norm() < 1e-13);
     succeed({"run", "strip.wend", "--at", "0", "--mesh", "rest.obj"});
     QCOMPARE(pointsOf(*sharedMeshFile(file("rest.obj"))), pointsOf(*sharedMeshFile(file("strip.obj"))));
 }
@@ -367,7 +367,7 @@ void TestCli::meshFrames() {
     succeed({"run", "strip.wend", "--frames", "m_#.vtu", "--count", "3"});
     for (int k = 0; k < 3; ++k) {
         const auto mesh = sharedMeshFile(file(qPrintable(QString("m_%1.vtu").arg(k))));
-        QVERIFY((pointsOf(*mesh).col(0) - Vec<3>(1.5 * k, 0.25 * k, 0)).norm() < 1e-12);
+        QVERIFY((pointsOf(*mesh).col(0) - Vec3(1.5 * k, 0.25 * k, 0)).norm() < 1e-12);
     }
 }
 
@@ -383,8 +383,8 @@ void TestCli::picture() {
     QCOMPARE(map.type, PixelType::Float);
     const auto mesh = sharedMeshFile(file("warped.obj"));
     QCOMPARE(uvOf(*mesh).cols(), pointsOf(*mesh).cols());
-    QCOMPARE(pointsOf(*mesh).col(1).head<2>(), Vec<2>(160, 110));  // the handle, to the last bit
-    QVERIFY((uvOf(*mesh).col(1) - Vec<2>(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
+    QCOMPARE(pointsOf(*mesh).col(1).head<2>(), Vec2(160, 110));  // the handle, to the last bit
+    QVERIFY((uvOf(*mesh).col(1) - Vec2(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
 }
 
 /// An opaque picture that has moved by half a pixel: a row and a column more, of which a part is covered.
@@ -441,8 +441,8 @@ void TestCli::twistedBar() {
     const auto twisted = sharedMeshFile(file("twisted.mesh"));
     const SimplicialMesh<3> rest = barMesh(6);
     QVERIFY(tetrahedraOf(*twisted) == rest.cells);
-    QVERIFY((pointsOf(*twisted).col(0) - Vec<3>(0, 0, 0)).norm() < 1e-13);
-    QVERIFY((pointsOf(*twisted).col(6 * 9) - Vec<3>(2, 0, 6)).norm() <
+    QVERIFY((pointsOf(*twisted).col(0) - Vec3(0, 0, 0)).norm() < 1e-13);
+    QVERIFY((pointsOf(*twisted).col(6 * 9) - Vec3(2, 0, 6)).norm() <
             1e-12);  // (0, 0, 6) about (1, 1): x towards y
     const QJsonObject report = jsonFile("bar.json").object();
     QCOMPARE(report["dimension"].toInt(), 3);
@@ -541,7 +541,7 @@ void TestCli::qualityAndGradients() {
     for (std::size_t i = 0; i < F.values.size(); ++i)
         QVERIFY(std::abs(F.values[i] - expected[i % 9]) < 1e-12);
     for (int v = 0; v < rest.vertexCount(); ++v) {
-        const Vec<2> by(displacement.values[3 * v], displacement.values[3 * v + 1]);
+        const Vec2 by(displacement.values[3 * v], displacement.values[3 * v + 1]);
         QVERIFY((pointsOf(*mesh).col(v).head<2>() - rest.points.col(v) - by).norm() < 1e-14);
     }
     // Halves of unit squares: scaled Jacobian 2/√3 · 1/√2, angles 45° and 90°.
@@ -573,7 +573,7 @@ void TestCli::endOfTheLastMotion() {
     putProject(path(), "late.wend", handles);
     succeed({"run", "late.wend", "--mesh", "late.obj", "--report", "late.json"});
     QCOMPARE(jsonFile("late.json")["time"].toDouble(), 2.5);
-    QVERIFY((pointsOf(*sharedMeshFile(file("late.obj"))).col(0) - Vec<3>(3, 0.5, 0)).norm() < 1e-13);
+    QVERIFY((pointsOf(*sharedMeshFile(file("late.obj"))).col(0) - Vec3(3, 0.5, 0)).norm() < 1e-13);
     QCOMPARE(run({"info", "late.wend", "--json"}).out.count("\"end\": 2.5"), 1);
     putProject(path(), "still.wend", "'domain': {'mesh': 'strip.obj'}");
     succeed({"run", "still.wend", "--report", "still.json"});
@@ -669,7 +669,7 @@ void TestCli::meshCommand() {
              qPrintable(star.error));
     succeed({"mesh", "disc.wend", "-o", "again.vtu"});
     QCOMPARE(pointsOf(*sharedMeshFile(file("again.vtu"))).col(1).head<2>(),
-             Vec<2>(140, 100));  // the handle's point
+             Vec2(140, 100));  // the handle's point
 }
 
 void TestCli::surfaceCommand() {

@@ -23,13 +23,13 @@ constexpr const char* kFoot =
 constexpr const char* kHead = "'region': {'box': {'min': [-9, -9, 5.5], 'max': [9, 9, 6.5]}}";
 
 /// The distance of a point from a triangle: of its projection if that is inside, else of the edges.
-double distanceTo(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
-    const auto toEdge = [&](const Vec<3>& from, const Vec<3>& to) {
+double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto toEdge = [&](const Vec3& from, const Vec3& to) {
         const double s = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
         return (from + s * (to - from) - p).norm();
     };
-    const Vec<3> n = (b - a).cross(c - a).normalized(), foot = p - n * n.dot(p - a);
-    const auto isLeft = [&](const Vec<3>& from, const Vec<3>& to) {
+    const Vec3 n = (b - a).cross(c - a).normalized(), foot = p - n * n.dot(p - a);
+    const auto isLeft = [&](const Vec3& from, const Vec3& to) {
         return (to - from).cross(foot - from).dot(n) >= 0;
     };
     const double edges = std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
@@ -120,7 +120,7 @@ class TestHoldCli : public QObject {
     std::string file(const std::string& name) const { return path().toStdString() + "/" + name; }
     CliResult run(const QStringList& arguments) const { return runCli(path(), arguments); }
     /// The deformed points of a project with these handles, and the report.
-    Points<3> bent(const std::string& domain, const std::string& handles, const std::string& more = "") {
+    Points3 bent(const std::string& domain, const std::string& handles, const std::string& more = "") {
         putProject(path(), "bend.wend",
                    "'domain': {'mesh': '" + domain + "'}, 'handles': [" + handles + "]" + more);
         const CliResult result = run({"run", "bend.wend", "--mesh", "bent.vtu", "--report", "bent.json"});
@@ -151,7 +151,7 @@ void TestHoldCli::initTestCase() {
 /// Held coordinates go where the motion has them, to rounding, and the others are free.
 void TestHoldCli::axes() {
     const std::string motion = "{'kind': 'translate', 'by': [3, 0, 0.5], 'time': [0, 1]}";
-    const Points<3> end = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "['z']"));
+    const Points3 end = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "['z']"));
     QVERIFY(m_error <= 1e-12);
     double across = 0;
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
@@ -160,13 +160,13 @@ void TestHoldCli::axes() {
         across = std::max(across, (end.col(v) - m_bar.points.col(v)).head<2>().norm());
     }
     QVERIFY2(across > 1e-3 && across < 0.5, qPrintable(QString::number(across)));  // the bar gets thinner
-    const Points<3> two = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "['z', 'x']"));
+    const Points3 two = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "['z', 'x']"));
     for (int v = 0; v < m_bar.vertexCount(); ++v)
         if (m_bar.points(2, v) > 5.5) QVERIFY(std::abs(two(0, v) - m_bar.points(0, v) - 3) <= 1e-12 * 7);
-    const Points<3> all = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "'all'"));
+    const Points3 all = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "'all'"));
     for (int v = 0; v < m_bar.vertexCount(); ++v)
         if (m_bar.points(2, v) > 5.5)
-            QVERIFY((all.col(v) - m_bar.points.col(v) - Vec<3>(3, 0, 0.5)).norm() <= 1e-12 * 7);
+            QVERIFY((all.col(v) - m_bar.points.col(v) - Vec3(3, 0, 0.5)).norm() <= 1e-12 * 7);
 }
 
 void TestHoldCli::normals_data() {
@@ -182,17 +182,16 @@ void TestHoldCli::normals_data() {
 void TestHoldCli::normals() {
     QFETCH(QString, motion);
     const std::string text = motion.toStdString();
-    const Points<3> along =
-        bent("bar.mesh", kFoot + std::string(", ") + head(text, "{'normal': [0, 0, -3]}"));
-    const Points<3> axis = bent("bar.mesh", kFoot + std::string(", ") + head(text, "['z']"));
+    const Points3 along = bent("bar.mesh", kFoot + std::string(", ") + head(text, "{'normal': [0, 0, -3]}"));
+    const Points3 axis = bent("bar.mesh", kFoot + std::string(", ") + head(text, "['z']"));
     QCOMPARE(along, axis);
-    const Points<3> end = bent("bar.mesh", kFoot + std::string(", ") + head(text, "{'normal': [1, 2, 2]}"));
+    const Points3 end = bent("bar.mesh", kFoot + std::string(", ") + head(text, "{'normal': [1, 2, 2]}"));
     QVERIFY(m_error <= 1e-12);
-    const Vec<3> normal = Vec<3>(1, 2, 2) / 3, by(0.2, -0.1, 0.6);
+    const Vec3 normal = Vec3(1, 2, 2) / 3, by(0.2, -0.1, 0.6);
     double across = 0;
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
         if (m_bar.points(2, v) < 5.5) continue;
-        const Vec<3> moved = end.col(v) - m_bar.points.col(v);
+        const Vec3 moved = end.col(v) - m_bar.points.col(v);
         QVERIFY(std::abs(normal.dot(moved - by)) <= 1e-12 * 7);
         across = std::max(across, (moved - by).norm());
     }
@@ -208,20 +207,20 @@ void TestHoldCli::halfAndWhole() {
             ", 'material': {'phi': 'metr', 'smoothing': {'kind': 'none'}}, 'integration': "
             "{'tolerance': 1e-6}";
     const std::string both = kFoot + std::string(", ") + head(turn, "'all'");
-    const Points<3> whole = bent("whole.mesh", both, settings);
+    const Points3 whole = bent("whole.mesh", both, settings);
     for (const char* hold : {"['x']", "{'normal': [2, 0, 0]}"}) {
         const std::string plane =
             "{'name': 'plane', 'at': {'region': {'box': {'min': [-0.1, -9, -9], 'max': [0.1, 9, 9]}}}, "
             "'hold': " +
             std::string(hold) + "}";
-        const Points<3> half = bent("half.mesh", both + ", " + plane, settings);
+        const Points3 half = bent("half.mesh", both + ", " + plane, settings);
         const double off = (half - whole.leftCols(half.cols())).colwise().norm().maxCoeff();
         QVERIFY2(off < 1e-5 * 7, qPrintable(QString::number(off)));
         for (int v = 0; v < half.cols(); ++v)
             if (whole(0, v) == 0) QCOMPARE(half(0, v), 0.0);
     }
     // Without it the half would bend another way.
-    const Points<3> loose = bent("half.mesh", both, settings);
+    const Points3 loose = bent("half.mesh", both, settings);
     QVERIFY((loose - whole.leftCols(loose.cols())).colwise().norm().maxCoeff() > 1e-3);
 }
 
@@ -234,14 +233,14 @@ void TestHoldCli::quarterAndWhole() {
     const auto plane = [](const char* box, const char* hold) {
         return std::string(", {'at': {'region': {'box': {") + box + "}}}, 'hold': " + hold + "}";
     };
-    const Points<3> axes =
+    const Points3 axes =
         bent("bar.mesh",
              foot + ", " + head(pull, "['z']") + plane("'min': [-0.1, -9, -9], 'max': [0.1, 9, 9]", "['x']") +
                  plane("'min': [-9, -0.1, -9], 'max': [9, 0.1, 9]", "['y']"),
              settings);
     // The same turned by 30° about z.
     SimplicialMesh<3> turned = m_bar;
-    const Mat<3> R = Eigen::AngleAxisd(0.5, Vec<3>::UnitZ()).toRotationMatrix();
+    const Mat3 R = Eigen::AngleAxisd(0.5, Vec3::UnitZ()).toRotationMatrix();
     turned.points = R * m_bar.points;
     writeMesh<3>(file("turned.mesh"), turned);
     std::string x, y;
@@ -253,15 +252,15 @@ void TestHoldCli::quarterAndWhole() {
     nx.precision(17), ny.precision(17);
     nx << '[' << R(0, 0) << ", " << R(1, 0) << ", 0]";
     ny << '[' << R(0, 1) << ", " << R(1, 1) << ", 0]";
-    const Points<3> tilted = bent("turned.mesh",
-                                  foot + ", " + head(pull, "['z']") + ", {'at': {'vertices': [" + x +
-                                      "]}, 'hold': {'normal': " + nx.str() + "}}, {'at': {'vertices': [" + y +
-                                      "]}, 'hold': {'normal': " + ny.str() + "}}",
-                                  settings);
+    const Points3 tilted = bent("turned.mesh",
+                                foot + ", " + head(pull, "['z']") + ", {'at': {'vertices': [" + x +
+                                    "]}, 'hold': {'normal': " + nx.str() + "}}, {'at': {'vertices': [" + y +
+                                    "]}, 'hold': {'normal': " + ny.str() + "}}",
+                                settings);
     const double off = (R.transpose() * tilted - axes).colwise().norm().maxCoeff();
     QVERIFY2(off < 1e-4 * 7, qPrintable(QString::number(off)));  // the tolerance of the steps
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
-        const Vec<3> moved = R.transpose() * (tilted.col(v) - turned.points.col(v));
+        const Vec3 moved = R.transpose() * (tilted.col(v) - turned.points.col(v));
         if (m_bar.points(0, v) == 0) QVERIFY(std::abs(moved.x()) < 1e-11);
         if (m_bar.points(1, v) == 0) QVERIFY(std::abs(moved.y()) < 1e-11);
     }
@@ -273,11 +272,11 @@ void TestHoldCli::inThePlane() {
         "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'vertices': [0, 11, 22]}}, {'at': {'vertices': "
         "[10, 21, 32]}, 'hold': {'normal': [1, 1]}, 'motion': [{'kind': 'translate', 'by': [1, 1]}]}]");
     QCOMPARE(run({"run", "flat.wend", "--mesh", "flat.obj"}).error, QString());
-    const Points<3> rest = pointsOf(*sharedMeshFile(file("strip.obj"))),
-                    end = pointsOf(*sharedMeshFile(file("flat.obj")));
+    const Points3 rest = pointsOf(*sharedMeshFile(file("strip.obj"))),
+                  end = pointsOf(*sharedMeshFile(file("flat.obj")));
     for (const int v : {10, 21, 32})
-        QVERIFY(std::abs((end.col(v) - rest.col(v)).dot(Vec<3>(1, 1, 0)) - 2) < 1e-11);
-    QVERIFY((end.col(21) - rest.col(21) - Vec<3>(1, 1, 0)).norm() > 0.01);
+        QVERIFY(std::abs((end.col(v) - rest.col(v)).dot(Vec3(1, 1, 0)) - 2) < 1e-11);
+    QVERIFY((end.col(21) - rest.col(21) - Vec3(1, 1, 0)).norm() > 0.01);
 }
 
 /// A vertex that slid begins the next motion at its present place, and is free outside its active time.
@@ -286,13 +285,13 @@ void TestHoldCli::motionsFollowEachOther() {
         "{'kind': 'translate', 'by': [0, 0, 0.5], 'time': [0, 1]}, {'kind': 'translate', 'by': [0, 0, 0.25], "
         "'time': "
         "[2, 3]}";
-    const Points<3> end = bent("bar.mesh", kFoot + std::string(", ") + head(twice, "['z']"));
+    const Points3 end = bent("bar.mesh", kFoot + std::string(", ") + head(twice, "['z']"));
     QVERIFY(m_error <= 1e-12);
     for (int v = 0; v < m_bar.vertexCount(); ++v)
         if (m_bar.points(2, v) > 5.5) QVERIFY(std::abs(end(2, v) - 6.75) <= 1e-12 * 7);
     std::string brief = head("{'kind': 'translate', 'by': [0, 0, 1], 'time': [0, 1]}", "['z']");
     brief.insert(brief.size() - 1, ", 'active': [0.25, 0.5]");
-    const Points<3> part = bent("bar.mesh", kFoot + std::string(", ") + brief, ", 'time': {'end': 1}");
+    const Points3 part = bent("bar.mesh", kFoot + std::string(", ") + brief, ", 'time': {'end': 1}");
     for (int v = 0; v < m_bar.vertexCount(); ++v)
         if (m_bar.points(2, v) > 5.5) QVERIFY(std::abs(part(2, v) - 6.25) <= 1e-11);
 }
@@ -307,8 +306,8 @@ void TestHoldCli::slidingOnAFlatFace() {
                       face =
                           ", {'at': {'region': {'box': {'min': [-0.1, -9, -9], 'max': [0.1, 9, 9]}}}, "
                           "'hold': ";
-    const Points<3> axis = bent("bar.mesh", both + face + "['x']}");
-    const Points<3> slid = bent("bar.mesh", both + face + "{'slide': 'rest'}}");
+    const Points3 axis = bent("bar.mesh", both + face + "['x']}");
+    const Points3 slid = bent("bar.mesh", both + face + "{'slide': 'rest'}}");
     QVERIFY(m_error <= 1e-12);
     int compared = 0;
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
@@ -328,13 +327,13 @@ void TestHoldCli::slidingAlongAnEdge() {
                       edge =
                           ", {'at': {'region': {'box': {'min': [-0.1, -0.1, 0.5], 'max': [0.1, 0.1, "
                           "5.5]}}}, 'hold': ";
-    const Points<3> axes = bent("bar.mesh", both + edge + "['x', 'y']}");
+    const Points3 axes = bent("bar.mesh", both + edge + "['x', 'y']}");
     for (const char* at : {"'max': [0.1, 0.1, 9]", "'max': [0.1, 9, 9]"}) {
         // The edge by itself, and as the edge between two faces.
         const bool alone = std::string(at).find("0.1, 9]") != std::string::npos;
         const std::string held =
             ", {'at': {'region': {'box': {'min': [-0.1, -0.1, -9], " + std::string(at) + "}}}, 'hold': ";
-        const Points<3> slid = bent("bar.mesh", both + held + "{'slide': 'rest'}}");
+        const Points3 slid = bent("bar.mesh", both + held + "{'slide': 'rest'}}");
         QVERIFY(m_error <= 1e-12);
         for (int v = 0; v < m_bar.vertexCount(); ++v)
             if (m_bar.points.col(v).head<2>().isZero(0) && alone)
@@ -377,9 +376,9 @@ void TestHoldCli::slidingOnACylinder() {
                    "'frame': 'minimal', 'twist': 0.8, 'time': [0, 1]}]}]");
     const CliResult result = run({"run", "round.wend", "--mesh", "round.vtu", "--report", "round.json"});
     QVERIFY2(result.code == 0, qPrintable(result.error));
-    const Points<3> end = pointsOf(*sharedMeshFile(file("round.vtu")));
+    const Points3 end = pointsOf(*sharedMeshFile(file("round.vtu")));
     // The tube's triangles, or those of the bar's own side at rest, which continues straight at its rim.
-    Points<3> corners = bar.points;
+    Points3 corners = bar.points;
     corners.row(2) = 3 * (bar.points.row(2).array() - 2) + 2;
     std::vector<std::array<int, 3>> triangles;
     if (surface == "rest") {
@@ -418,11 +417,11 @@ void TestHoldCli::slidingAlongAPath() {
                        "}, {'at': {'vertices': [32]}, 'motion': [{'kind': 'translate', 'by': [1, 0.2]}]}]");
         const CliResult result = run({"run", "path.wend", "--mesh", "path.obj"});
         if (result.code != 0) qWarning("%s", qPrintable(result.error));
-        return Points<2>(pointsOf(*sharedMeshFile(file("path.obj"))).topRows<2>());
+        return Points2(pointsOf(*sharedMeshFile(file("path.obj"))).topRows<2>());
     };
-    const Points<2> axis = end("['y']"), straight = end("{'slide': 'straight.obj'}");
+    const Points2 axis = end("['y']"), straight = end("{'slide': 'straight.obj'}");
     QVERIFY((straight - axis).cwiseAbs().maxCoeff() <= 1e-9);
-    const Points<2> bent = end("{'slide': 'bent.obj'}");
+    const Points2 bent = end("{'slide': 'bent.obj'}");
     for (int v = 5; v <= 10; ++v) {
         const Eigen::Vector2d p = bent.col(v);
         const Eigen::Vector2d a = p.x() < 8 ? Eigen::Vector2d(4, 0.01) : Eigen::Vector2d(8, 0),
@@ -436,11 +435,11 @@ void TestHoldCli::slidingAlongAPath() {
 void TestHoldCli::surfacesThatMove() {
     std::string border;
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
-        const Vec<3> p = m_bar.points.col(v);
+        const Vec3 p = m_bar.points.col(v);
         if (p.x() == 1 && p.y() == 1 && p.z() > 0 && p.z() < 6) continue;
         border += (border.empty() ? "" : ", ") + std::to_string(v);
     }
-    const Points<3> turned =
+    const Points3 turned =
         bent("bar.mesh",
              "{'at': {'vertices': [" + border +
                  "]}, 'hold': {'slide': 'rest'}, 'motion': [{'kind': 'rotate', 'centre': [1, 1, 3], 'axis': "
@@ -448,10 +447,10 @@ void TestHoldCli::surfacesThatMove() {
                  "[1, 2]}]}",
              ", 'integration': {'tolerance': 1e-7}, 'time': {'end': 2}");
     QVERIFY(m_error <= 1e-12);
-    const Mat<3> R = Eigen::AngleAxisd(1.2, Vec<3>::UnitX()).toRotationMatrix();
-    const Vec<3> centre(1, 1, 3), by(1, 2, 3);
+    const Mat3 R = Eigen::AngleAxisd(1.2, Vec3::UnitX()).toRotationMatrix();
+    const Vec3 centre(1, 1, 3), by(1, 2, 3);
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
-        const Vec<3> p = m_bar.points.col(v), place = centre + by + R * (p - centre);
+        const Vec3 p = m_bar.points.col(v), place = centre + by + R * (p - centre);
         const bool isCorner =
             (p.x() == 0 || p.x() == 2) && (p.y() == 0 || p.y() == 2) && (p.z() == 0 || p.z() == 6);
         const double off = (turned.col(v) - place).norm();
@@ -539,7 +538,7 @@ void writeGroupedBar(const std::string& path, const SimplicialMesh<3>& bar, cons
     writeMeshFile(path, file);
 }
 
-std::string listed(const Vec<3>& p) {
+std::string listed(const Vec3& p) {
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out.precision(17);
@@ -562,17 +561,17 @@ void TestHoldCli::normalsOfGroups() {
     QFETCH(QString, group);
     QFETCH(double, x);
     QFETCH(double, z);
-    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.9, Vec<3>(1, 2, -1).normalized()).toRotationMatrix();
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.9, Vec3(1, 2, -1).normalized()).toRotationMatrix();
     writeGroupedBar(file("grouped.msh"), m_bar, R);
-    const Vec<3> normal = R * Vec<3>(x, 0, z).normalized();
+    const Vec3 normal = R * Vec3(x, 0, z).normalized();
     const auto handles = [&](const std::string& direction) {
         return "{'at': {'vertices': [0, 1, 3, 4]}}, {'at': {'group': 'top'}, 'hold': {'normal': " +
-               direction + "}, 'motion': [{'kind': 'translate', 'by': " + listed(R * Vec<3>(0.3, 0, 0.5)) +
+               direction + "}, 'motion': [{'kind': 'translate', 'by': " + listed(R * Vec3(0.3, 0, 0.5)) +
                "}]}, {'at': {'vertices': [27]}, 'motion': [{'kind': 'rotate', 'centre': " +
-               listed(R * Vec<3>(1, 1, 3)) + ", 'axis': " + direction + ", 'angle': 0.4}]}";
+               listed(R * Vec3(1, 1, 3)) + ", 'axis': " + direction + ", 'angle': 0.4}]}";
     };
-    const Points<3> named = bent("grouped.msh", handles("'normal of " + group.toStdString() + "'")),
-                    expected = bent("grouped.msh", handles(listed(normal)));
+    const Points3 named = bent("grouped.msh", handles("'normal of " + group.toStdString() + "'")),
+                  expected = bent("grouped.msh", handles(listed(normal)));
     QVERIFY((named - expected).cwiseAbs().maxCoeff() < 1e-9);
     QVERIFY((named - R * m_bar.points).cwiseAbs().maxCoeff() > 1e-3);
     // The name is saved as it was read.
@@ -604,8 +603,8 @@ void TestHoldCli::normalsOfLines() {
                "'domain': {'mesh': 'strip.msh'}, 'handles': [{'at': {'group': 'end'}, 'hold': {'normal': "
                "'normal of end'}}]");
     const auto project = readProject(file("strip.wend")).project;
-    const Vec<2> normal = inPlane(*designOf(*project).handles.at(0).normal);
-    QVERIFY((normal - Vec<2>(std::cos(0.3), std::sin(0.3))).norm() < 1e-14);
+    const Vec2 normal = inPlane(*designOf(*project).handles.at(0).normal);
+    QVERIFY((normal - Vec2(std::cos(0.3), std::sin(0.3))).norm() < 1e-14);
 }
 
 void TestHoldCli::groupsWithoutNormal_data() {

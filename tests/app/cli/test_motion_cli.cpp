@@ -50,7 +50,7 @@ class TestMotionCli : public QObject {
             "[-1, -1, 5.5], 'max': [3, 3, 6.5]}}}, 'motion': [" +
                 motion + "]}]");
     }
-    Points<3> pointsIn(const char* name) const { return pointsOf(*sharedMeshFile(file(name))); }
+    Points3 pointsIn(const char* name) const { return pointsOf(*sharedMeshFile(file(name))); }
 
     QTemporaryDir m_folder;
     SimplicialMesh<3> m_bar = barMesh(6);
@@ -58,8 +58,8 @@ class TestMotionCli : public QObject {
 
 namespace {
 
-Vec<3> displacementAt(const Vec<3>& p) {
-    return Vec<3>(0.2 * p.y(), 0.1 * p.x() * p.y(), 0.3 + 0.05 * p.x());
+Vec3 displacementAt(const Vec3& p) {
+    return Vec3(0.2 * p.y(), 0.1 * p.x() * p.y(), 0.3 + 0.05 * p.x());
 }
 
 std::string digits(double x) {
@@ -79,7 +79,7 @@ void TestMotionCli::initTestCase() {
     MeshField field{"u", false, 3, {}}, other{"w", false, 3, {}};
     std::string table = "id,dx,dy,dz\n", named = "Point ID;u:0;u:1;u:2\n";
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
-        const Vec<3> u = displacementAt(m_bar.points.col(v));
+        const Vec3 u = displacementAt(m_bar.points.col(v));
         field.values.insert(field.values.end(), {u[0], u[1], u[2]});
         other.values.insert(other.values.end(), {0, 0, 0});
         const std::string id = std::to_string(v);
@@ -112,11 +112,11 @@ void TestMotionCli::fieldsOfFiles() {
     putBar("field.wend", "{'kind': 'field', " + source.toStdString() + ", 'time': [0, 2], 'ease': 'inOut'}");
     succeed({"run", "field.wend", "--mesh", "end.vtu", "--report", "end.json"});
     succeed({"run", "field.wend", "--mesh", "half.vtu", "--at", "0.5"});
-    const Points<3> end = pointsIn("end.vtu"), half = pointsIn("half.vtu");
+    const Points3 end = pointsIn("end.vtu"), half = pointsIn("half.vtu");
     const double size = 7;
     const double share = 0.25 * 0.25 * (3 - 2 * 0.25);
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
-        const Vec<3> rest = m_bar.points.col(v);
+        const Vec3 rest = m_bar.points.col(v);
         if (rest.z() < 0.5) QVERIFY(end.col(v) == rest);
         if (rest.z() < 5.5) continue;
         QVERIFY((end.col(v) - rest - displacementAt(rest)).norm() <= 1e-12 * size);
@@ -135,19 +135,19 @@ void TestMotionCli::fieldInThePlane() {
         "[32, 10, 21]}, 'motion': [{'kind': 'field', 'file': 'flat.csv'}, {'kind': 'field', 'vertices': [10, "
         "21, 32], 'by': [[0, 1], [0, 1], [0, 2]], 'time': [1, 2]}]}]");
     succeed({"run", "flat.wend", "--mesh", "flat.obj"});
-    const Points<3> end = pointsIn("flat.obj");
-    QVERIFY((end.col(10) - Vec<3>(10.5, 1.25, 0)).norm() < 1e-12);
-    QVERIFY((end.col(21) - Vec<3>(10.5, 2.5, 0)).norm() < 1e-12);
-    QVERIFY((end.col(32) - Vec<3>(11, 4, 0)).norm() < 1e-12);
+    const Points3 end = pointsIn("flat.obj");
+    QVERIFY((end.col(10) - Vec3(10.5, 1.25, 0)).norm() < 1e-12);
+    QVERIFY((end.col(21) - Vec3(10.5, 2.5, 0)).norm() < 1e-12);
+    QVERIFY((end.col(32) - Vec3(11, 4, 0)).norm() < 1e-12);
 }
 
 void TestMotionCli::poses_data() {
     QTest::addColumn<QString>("table");
     // The head rises by 1 and turns by 0.6 about z, then tilts by 0.4 about x.
     const double s = std::sin(0.3), c = std::cos(0.3);
-    const Eigen::Quaterniond last = Eigen::AngleAxisd(0.4, Vec<3>::UnitX()) * Eigen::Quaterniond(c, 0, 0, s);
+    const Eigen::Quaterniond last = Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::Quaterniond(c, 0, 0, s);
     const Eigen::AngleAxisd turn(last);
-    const Vec<3> vector = turn.angle() * turn.axis();
+    const Vec3 vector = turn.angle() * turn.axis();
     const std::string rotation = digits(vector[0]) + "," + digits(vector[1]) + "," + digits(vector[2]);
     const std::string xyzw =
         digits(last.x()) + " " + digits(last.y()) + " " + digits(last.z()) + " " + digits(last.w());
@@ -170,16 +170,16 @@ void TestMotionCli::poses() {
     succeed({"run", "poses.wend", "--mesh", "one.obj", "--mesh", "one.vtu", "--at", "1"});
     succeed({"run", "poses.wend", "--mesh", "mid.vtu", "--at", "0.5"});
     succeed({"run", "poses.wend", "--mesh", "end.vtu"});
-    const Points<3> middle = pointsIn("mid.vtu"), first = pointsIn("one.vtu"), end = pointsIn("end.vtu");
-    const Mat<3> turn = Eigen::AngleAxisd(0.6, Vec<3>::UnitZ()).toRotationMatrix(),
-                 half = Eigen::AngleAxisd(0.3, Vec<3>::UnitZ()).toRotationMatrix(),
-                 tilt = Eigen::AngleAxisd(0.4, Vec<3>::UnitX()).toRotationMatrix();
+    const Points3 middle = pointsIn("mid.vtu"), first = pointsIn("one.vtu"), end = pointsIn("end.vtu");
+    const Mat3 turn = Eigen::AngleAxisd(0.6, Vec3::UnitZ()).toRotationMatrix(),
+               half = Eigen::AngleAxisd(0.3, Vec3::UnitZ()).toRotationMatrix(),
+               tilt = Eigen::AngleAxisd(0.4, Vec3::UnitX()).toRotationMatrix();
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
         if (m_bar.points(2, v) < 5.5) continue;
-        const Vec<3> inBody = m_bar.points.col(v) - Vec<3>(1, 1, 6);
-        QVERIFY((middle.col(v) - half * inBody - Vec<3>(1, 1, 6.5)).norm() < 7e-12);
-        QVERIFY((first.col(v) - turn * inBody - Vec<3>(1, 1, 7)).norm() < 7e-12);
-        QVERIFY((end.col(v) - tilt * turn * inBody - Vec<3>(1, 1.5, 7)).norm() < 7e-12);
+        const Vec3 inBody = m_bar.points.col(v) - Vec3(1, 1, 6);
+        QVERIFY((middle.col(v) - half * inBody - Vec3(1, 1, 6.5)).norm() < 7e-12);
+        QVERIFY((first.col(v) - turn * inBody - Vec3(1, 1, 7)).norm() < 7e-12);
+        QVERIFY((end.col(v) - tilt * turn * inBody - Vec3(1, 1.5, 7)).norm() < 7e-12);
     }
 }
 
@@ -191,13 +191,13 @@ void TestMotionCli::posesInThePlane() {
         "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'region': {'box': {'min': [-1, -1], 'max': "
         "[11, 3]}}}, 'motion': [{'kind': 'poses', 'file': 'turn.csv', 'time': [0, 3], 'ease': 'in'}]}]");
     succeed({"run", "turn.wend", "--mesh", "turned.obj"});
-    const Points<3> rest = pointsIn("strip.obj"), whole = pointsIn("turned.obj");
+    const Points3 rest = pointsIn("strip.obj"), whole = pointsIn("turned.obj");
     QVERIFY((whole - rest).norm() < 1e-11);
     const double u = 4.0 / 9;  // of the file's times at time 2: 5 + 4/3
     const double angle = 3 + (5 + 3 * u - 6) / 2 * (6.7831853071795862 - 3.5);
     succeed({"run", "turn.wend", "--mesh", "part.obj", "--at", "2"});
-    const Vec<2> from = rest.col(10).head<2>() - Vec<2>(0, 1);
-    const Vec<2> expected = Eigen::Rotation2Dd(angle) * from + Vec<2>(0, 1);
+    const Vec2 from = rest.col(10).head<2>() - Vec2(0, 1);
+    const Vec2 expected = Eigen::Rotation2Dd(angle) * from + Vec2(0, 1);
     QVERIFY((pointsIn("part.obj").col(10).head<2>() - expected).norm() < 1e-11);
 }
 

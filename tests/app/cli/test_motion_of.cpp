@@ -68,21 +68,21 @@ std::string number(double x) {
     return QString::number(x, 'g', 17).toStdString();
 }
 
-std::string list(const Vec<3>& p) {
+std::string list(const Vec3& p) {
     return "[" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + "]";
 }
 
-std::string boxRegion(const Vec<3>& low, const Vec<3>& high) {
+std::string boxRegion(const Vec3& low, const Vec3& high) {
     return "{'region': {'box': {'min': " + list(low) + ", 'max': " + list(high) + "}}}";
 }
 
-const Vec<3> kFootLow(-1, -1, -0.5), kFootHigh(3, 3, 0.5), kHeadLow(-1, -1, 5.5), kHeadHigh(3, 3, 6.5);
+const Vec3 kFootLow(-1, -1, -0.5), kFootHigh(3, 3, 0.5), kHeadLow(-1, -1, 5.5), kHeadHigh(3, 3, 6.5);
 
 /// The same box in the scaled copy.
-std::string scaledBox(const Vec<3>& low, const Vec<3>& high) {
-    Points<3> corners(3, 2);
+std::string scaledBox(const Vec3& low, const Vec3& high) {
+    Points3 corners(3, 2);
     corners << low, high;
-    const Points<3> there = scaled<3>(corners);
+    const Points3 there = scaled<3>(corners);
     return boxRegion(there.col(0), there.col(1));
 }
 
@@ -140,7 +140,7 @@ void TestMotionOf::scaledCopies() {
     succeed({"run", "a.wend", "--mesh", "a.mesh"});
     succeed({"run", "b.wend", "--motion-of", "a.wend", "--mesh", "b.mesh", "--report", "b.json"});
     QCOMPARE(noticesIn("b.json"), QStringList());
-    const Points<3> a = pointsIn<3>("a.mesh"), b = pointsIn<3>("b.mesh"), rest = pointsIn<3>("bar.mesh");
+    const Points3 a = pointsIn<3>("a.mesh"), b = pointsIn<3>("b.mesh"), rest = pointsIn<3>("bar.mesh");
     QVERIFY((a - rest).cwiseAbs().maxCoeff() > 0.1);
     const double off = (b - scaled<3>(a)).cwiseAbs().maxCoeff();
     QVERIFY2(off < kRounding * kScale * 6, qPrintable(QString::number(off)));
@@ -166,7 +166,7 @@ void TestMotionOf::scaledPictures() {
     putProject(path(), "double.wend", project("double.png", 2, ""));
     succeed({"run", "small.wend", "--mesh", "small.obj"});
     succeed({"run", "double.wend", "--motion-of", "small.wend", "--mesh", "double.obj"});
-    const Points<2> a = pointsIn<2>("small.obj"), b = pointsIn<2>("double.obj");
+    const Points2 a = pointsIn<2>("small.obj"), b = pointsIn<2>("double.obj");
     QCOMPARE(a.cols(), b.cols());
     const double off = (b - 2 * a).cwiseAbs().maxCoeff();
     QVERIFY2(off < kRounding * 128, qPrintable(QString::number(off)));
@@ -185,12 +185,12 @@ void TestMotionOf::fieldOnAnotherMesh() {
                "'domain': {'mesh': 'finer.obj'}, 'handles': [" + pins +
                    "{'name': 'end', 'at': {'region': {'box': {'min': [9.99, -1], 'max': [11, 3]}}}}]");
     succeed({"run", "b.wend", "--motion-of", "a.wend", "--mesh", "b.obj"});
-    const Points<2> rest = pointsIn<2>("finer.obj"), b = pointsIn<2>("b.obj");
+    const Points2 rest = pointsIn<2>("finer.obj"), b = pointsIn<2>("b.obj");
     int held = 0;
     for (Eigen::Index v = 0; v < rest.cols(); ++v) {
         if (rest(0, v) < 9.99) continue;
         ++held;
-        const Vec<2> moved = b.col(v) - rest.col(v);
+        const Vec2 moved = b.col(v) - rest.col(v);
         QVERIFY(std::abs(moved.x() - 0.5) < 1e-9);
         QVERIFY(std::abs(moved.y() - 0.25 * std::round(rest(1, v))) < 1e-9);
     }
@@ -207,7 +207,7 @@ void TestMotionOf::otherPins() {
     // An L: the nose of the strip would lie outside of it.
     SimplicialMesh<2> l = stripMesh(10, 4);
     std::erase_if(l.cells, [&](const Cell<2>& cell) {
-        Vec<2> centre = Vec<2>::Zero();
+        Vec2 centre = Vec2::Zero();
         for (const int v : cell) centre += l.points.col(v) / 3;
         return centre.x() > 5 && centre.y() < 2;
     });
@@ -225,12 +225,12 @@ void TestMotionOf::otherPins() {
              QStringList({"pins of the other project without a namesake here, placed in proportion: \"hand\"",
                           "pins of the other project that find no place here and are left out: \"nose\"",
                           "pins without a motion in the other project, which hold still: \"tail\""}));
-    const Points<2> rest = pointsIn<2>("l.obj"), b = pointsIn<2>("b.obj");
+    const Points2 rest = pointsIn<2>("l.obj"), b = pointsIn<2>("b.obj");
     for (Eigen::Index v = 0; v < rest.cols(); ++v) {
-        const Vec<2> moved = b.col(v) - rest.col(v);
-        if (rest.col(v) == Vec<2>(1, 4) || rest.col(v) == Vec<2>(0, 0)) QVERIFY(moved.norm() < 1e-9);
+        const Vec2 moved = b.col(v) - rest.col(v);
+        if (rest.col(v) == Vec2(1, 4) || rest.col(v) == Vec2(0, 0)) QVERIFY(moved.norm() < 1e-9);
         // √(12 Tr C) of a box is its diagonal; of the L it follows from its two boxes.
-        if (rest.col(v) == Vec<2>(10, 4)) QVERIFY(moved.y() > 1 && std::abs(moved.x()) < 1e-9);
+        if (rest.col(v) == Vec2(10, 4)) QVERIFY(moved.y() > 1 && std::abs(moved.x()) < 1e-9);
     }
     QCOMPARE(run({"run", "b.wend", "--motion-of", "a.wend", "--mesh", "c.obj", "--strict"}).code, 3);
 }
@@ -260,11 +260,11 @@ void TestMotionOf::groups() {
         "'at': {'group': 'right'}, 'motion': [{'kind': 'translate', 'by': [0.5, 0], 'time': [0, 1]}]}]");
     putProject(path(), "b.wend", "'domain': {'mesh': 'two.obj'}");
     succeed({"run", "b.wend", "--motion-of", "a.wend", "--mesh", "b.obj"});
-    const Points<2> rest = pointsIn<2>("two.obj"), b = pointsIn<2>("b.obj");
+    const Points2 rest = pointsIn<2>("two.obj"), b = pointsIn<2>("b.obj");
     for (Eigen::Index v = 0; v < rest.cols(); ++v) {
         const double x = rest(0, v) - 50;
         if (x <= 1) QVERIFY((b.col(v) - rest.col(v)).norm() < 1e-12);
-        if (x >= 3) QVERIFY((b.col(v) - rest.col(v) - Vec<2>(0.5, 0)).norm() < 1e-12);
+        if (x >= 3) QVERIFY((b.col(v) - rest.col(v) - Vec2(0.5, 0)).norm() < 1e-12);
     }
 }
 

@@ -18,7 +18,7 @@ using namespace wend;
 namespace {
 
 constexpr double kAngle = 0.7;
-const Vec<2> kCentre(3, 1);
+const Vec2 kCentre(3, 1);
 
 /// A handle that turns the whole shape about (3, 1[, 0]).
 std::string turned(int dim) {
@@ -29,9 +29,9 @@ std::string turned(int dim) {
            third + "], " + (dim == 3 ? "'axis': [0, 0, 1], " : "") + "'angle': 0.7}]}";
 }
 
-Points<3> turnedPoints(const Points<3>& points) {
+Points3 turnedPoints(const Points3& points) {
     const Eigen::Rotation2Dd R(kAngle);
-    Points<3> result = points;
+    Points3 result = points;
     for (auto p : result.colwise()) p.head<2>() = kCentre + R * (p.head<2>() - kCentre);
     return result;
 }
@@ -58,17 +58,17 @@ std::string digits(double x) {
     return out.str();
 }
 
-Points<3> randomPoints(int count, const Vec<3>& low, const Vec<3>& high) {
+Points3 randomPoints(int count, const Vec3& low, const Vec3& high) {
     std::mt19937 engine(7);
     std::uniform_real_distribution<double> unit(0, 1);
-    Points<3> points(3, count);
+    Points3 points(3, count);
     for (auto p : points.colwise())
         for (int k = 0; k < 3; ++k) p[k] = low[k] + unit(engine) * (high[k] - low[k]);
     return points;
 }
 
 /// Rows of numbers between commas, below one line, as any program reads them.
-Points<3> rows(const std::string& text) {
+Points3 rows(const std::string& text) {
     std::istringstream in(text);
     std::string line;
     std::getline(in, line);
@@ -77,21 +77,21 @@ Points<3> rows(const std::string& text) {
         std::ranges::replace(line, ',', ' ');
         found.push_back(samples::plain::numbers(line));
     }
-    Points<3> points = Points<3>::Zero(3, static_cast<Eigen::Index>(found.size()));
+    Points3 points = Points3::Zero(3, static_cast<Eigen::Index>(found.size()));
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t k = 0; k < found[i].size() && k < 3; ++k)
             points(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = found[i][k];
     return points;
 }
 
-std::string table(const Points<3>& points, int dim) {
+std::string table(const Points3& points, int dim) {
     std::string text = dim == 2 ? "x,y\n" : "x,y,z\n";
     for (const auto p : points.colwise())
         for (int k = 0; k < dim; ++k) text += digits(p[k]) + (k + 1 < dim ? "," : "\n");
     return text;
 }
 
-double difference(const Points<3>& a, const Points<3>& b) {
+double difference(const Points3& a, const Points3& b) {
     return a.cols() == b.cols() && a.cols() > 0 ? (a - b).cwiseAbs().maxCoeff() : 1e9;
 }
 
@@ -134,7 +134,7 @@ class TestPointsCli : public QObject {
     }
 
     /// Writes cloud.ply, with colours, and lines.obj.
-    Points<3> putClouds(const Vec<3>& low, const Vec<3>& high) const;
+    Points3 putClouds(const Vec3& low, const Vec3& high) const;
 
     QTemporaryDir m_folder;
 };
@@ -165,7 +165,7 @@ void TestPointsCli::rigidMotion_data() {
 /// Points inside, on the border and far outside turn with the shape.
 void TestPointsCli::rigidMotion() {
     QFETCH(int, dim);
-    Points<3> points = randomPoints(200, Vec<3>(-5, -5, -5), Vec<3>(15, 7, 7));
+    Points3 points = randomPoints(200, Vec3(-5, -5, -5), Vec3(15, 7, 7));
     if (dim == 2) points.row(2).setZero();
     put(path(), "in.csv", table(points, dim));
     const QString project = QString("turn%1.wend").arg(dim);
@@ -182,7 +182,7 @@ void TestPointsCli::thereAndBack_data() {
 /// Of points within the bent shape; those within the first half of the time, too.
 void TestPointsCli::thereAndBack() {
     QFETCH(int, dim);
-    Points<3> points = randomPoints(300, Vec<3>(0, 0, 0), Vec<3>(10, 2, 2));
+    Points3 points = randomPoints(300, Vec3(0, 0, 0), Vec3(10, 2, 2));
     if (dim == 2) points.row(2).setZero();
     put(path(), "in.csv", table(points, dim));
     const QString project = QString("bend%1.wend").arg(dim);
@@ -197,12 +197,12 @@ void TestPointsCli::thereAndBack() {
 /// The ST map holds the place in the picture of every pixel of the warped one.
 void TestPointsCli::likeTheStMap() {
     constexpr int kSize = 80;
-    Points<3> centres = Points<3>::Zero(3, kSize * kSize);
+    Points3 centres = Points3::Zero(3, kSize * kSize);
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) centres.col(kSize * y + x).head<2>() << x + 0.5, y + 0.5;
     put(path(), "in.csv", table(centres, 2));
     succeed({"run", "picture.wend", "--points", "in.csv", "out.csv", "--inverse", "--stmap", "st.exr"});
-    const Points<3> sources = rows(text("out.csv"));
+    const Points3 sources = rows(text("out.csv"));
     const Image map = readImage(file("st.exr"));
     QCOMPARE(map.width, kSize);
     int compared = 0;
@@ -211,7 +211,7 @@ void TestPointsCli::likeTheStMap() {
             const float* st = reinterpret_cast<const float*>(map.row(y)) + 4 * x;
             if (st[3] < 1) continue;
             ++compared;
-            const Vec<2> expected(st[0] * kSize, (1 - st[1]) * kSize);
+            const Vec2 expected(st[0] * kSize, (1 - st[1]) * kSize);
             QVERIFY((sources.col(kSize * y + x).head<2>() - expected).norm() < 1e-4);  // floats of 80 pixels
         }
     QVERIFY(compared > 5000);
@@ -259,8 +259,8 @@ void TestPointsCli::textStaysAsItWas() {
     QFETCH(QString, in);
     QFETCH(int, dim);
     const auto count = static_cast<int>(in.count('@')) / dim;
-    Points<3> points = randomPoints(count, Vec<3>(0, 0, 0), Vec<3>(10, 2, 2));
-    const auto filled = [&](const Points<3>& values) {
+    Points3 points = randomPoints(count, Vec3(0, 0, 0), Vec3(10, 2, 2));
+    const auto filled = [&](const Points3& values) {
         std::string text;
         int next = 0;
         for (const char c : in.toStdString())
@@ -272,7 +272,7 @@ void TestPointsCli::textStaysAsItWas() {
     succeed({"run", QString("turn%1.wend").arg(dim), "--points", name, out});
     const std::string got = text(out.toStdString());
     // The text around the numbers, and the numbers.
-    const Points<3> expected = turnedPoints(points);
+    const Points3 expected = turnedPoints(points);
     std::size_t at = 0;
     int next = 0;
     for (const char c : in.toStdString()) {
@@ -289,8 +289,8 @@ void TestPointsCli::textStaysAsItWas() {
     QCOMPARE(at, got.size());
 }
 
-Points<3> TestPointsCli::putClouds(const Vec<3>& low, const Vec<3>& high) const {
-    const Points<3> points = randomPoints(20, low, high);
+Points3 TestPointsCli::putClouds(const Vec3& low, const Vec3& high) const {
+    const Points3 points = randomPoints(20, low, high);
     std::string
         ply =
             "ply\nformat ascii 1.0\nelement vertex 20\nproperty double x\nproperty double y\nproperty "
@@ -332,11 +332,11 @@ void TestPointsCli::clouds_data() {
 void TestPointsCli::clouds() {
     QFETCH(QString, in);
     QFETCH(QString, out);
-    const Points<3> points = putClouds(Vec<3>(0, 0, 0), Vec<3>(10, 2, 2));
+    const Points3 points = putClouds(Vec3(0, 0, 0), Vec3(10, 2, 2));
     put(path(), "cloud.csv", table(points, 3));
     succeed({"run", "turn3.wend", "--points", in, out});
     const std::string got = text(out.toStdString());
-    Points<3> read;
+    Points3 read;
     if (out.endsWith(".csv"))
         read = rows(got);
     else
@@ -393,7 +393,7 @@ void TestPointsCli::outsideAndCovered() {
         QVERIFY2(covered.code == 0, qPrintable(covered.error));
         QVERIFY2(covered.error.contains("over.csv: 1 of 1 points lies where the shape covers itself"),
                  qPrintable(covered.error));
-        const Points<3> expected = isInFront ? Vec<3>(3.4, 0.25, 0) : Vec<3>(0.9, 0.5, 0);
+        const Points3 expected = isInFront ? Vec3(3.4, 0.25, 0) : Vec3(0.9, 0.5, 0);
         QVERIFY(difference(rows(text("out.csv")), expected) < 1e-12);
     }
 }
@@ -414,9 +414,9 @@ void TestPointsCli::anyPlane() {
     QFETCH(int, across);
     QFETCH(double, noise);
     MeshFile mesh = toMeshFile<2>(stripMesh(10, 2));
-    const Points<3> jitter = randomPoints(33, Vec<3>(0, 0, -noise), Vec<3>(0, 0, noise));
+    const Points3 jitter = randomPoints(33, Vec3(0, 0, -noise), Vec3(0, 0, noise));
     mesh.points.row(2) = jitter.row(2).array() + 3;
-    Eigen::Matrix3d R = Eigen::AngleAxisd(0.9, Vec<3>(1, 2, -1).normalized()).toRotationMatrix();
+    Eigen::Matrix3d R = Eigen::AngleAxisd(0.9, Vec3(1, 2, -1).normalized()).toRotationMatrix();
     if (across == 0) R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
     if (across == 1) R << 1, 0, 0, 0, 0, 1, 0, 1, 0;
     if (across == 2) R.setIdentity();
@@ -430,13 +430,13 @@ void TestPointsCli::anyPlane() {
     QStringList arguments{"run", "plane.wend", "--mesh", "out.obj", "--mesh", "out.vtu"};
     if (across != 2) arguments += {"--points", "in.csv", "out.csv"};
     succeed(arguments);
-    Vec<3> normal = R.col(2);
+    Vec3 normal = R.col(2);
     int largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);
     if (normal[largest] < 0) normal = -normal;
     if (across == 1) normal = -normal;  // from x to z
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.7, normal).toRotationMatrix();
-    const Points<3> expected = rotation * mesh.points;
+    const Points3 expected = rotation * mesh.points;
     // A fitted plane differs from the exact one by the noise over the width, which turns the axis.
     const double tolerance = across < 0 && noise > 0 ? 1e-4 : 1e-12;
     const auto bent = sharedMeshFile(file("out.vtu"));
@@ -446,7 +446,7 @@ void TestPointsCli::anyPlane() {
     for (const MeshField& field : fieldsOf(*bent)) {
         const auto count = static_cast<Eigen::Index>(field.values.size()) / field.components;
         if (field.name == "displacement") {
-            const Points<3> moved = mesh.points + Eigen::Map<const Points<3>>(field.values.data(), 3, count);
+            const Points3 moved = mesh.points + Eigen::Map<const Points3>(field.values.data(), 3, count);
             QVERIFY(difference(moved, expected) < tolerance);
         }
         if (field.name != "F") continue;
@@ -510,12 +510,12 @@ void TestPointsCli::carriedDetail() {
     QFETCH(QString, detail);
     QFETCH(QString, out);
     QFETCH(QString, kept);
-    const Points<3> points = putClouds(Vec<3>(-1, -1, -1), Vec<3>(11, 3, 3));
+    const Points3 points = putClouds(Vec3(-1, -1, -1), Vec3(11, 3, 3));
     putProject(path(), "detail.wend",
                "'domain': {'mesh': 'bar.mesh', 'detail': '" + detail.toStdString() + "'}, 'handles': [" +
                    turned(3) + "]");
     succeed({"run", "detail.wend", "--mesh", out, "--mesh", "out.vtu"});
-    const Points<3> expected = turnedPoints(points);
+    const Points3 expected = turnedPoints(points);
     QVERIFY(difference(readMeshFile(file(out.toStdString()), MeshNeeds::Points).points, expected) < 1e-12);
     QVERIFY(text(out.toStdString()).find(kept.toStdString()) != std::string::npos);
     QCOMPARE(tetrahedraOf(*sharedMeshFile(file("out.vtu"))), readMesh<3>(file("bar.mesh")).cells);

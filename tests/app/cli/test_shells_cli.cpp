@@ -36,7 +36,7 @@ namespace {
 
 double volumeOf(const MeshFile& file) {
     double sum = 0;
-    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points<3>(file.points), cell);
+    for (const auto& cell : file.tetrahedra) sum += cellMeasure<3>(Points3(file.points), cell);
     return sum;
 }
 
@@ -57,7 +57,7 @@ std::string objOf(const std::vector<std::pair<std::string, Surface>>& parts) {
 }
 
 Surface cube(double half) {
-    return test::box(Vec<3>::Constant(-half), Vec<3>::Constant(half));
+    return test::box(Vec3::Constant(-half), Vec3::Constant(half));
 }
 
 const double kVolumes[] = {8 * (27 - 8), 8 * (8 - 1), 8};  // skin, bone, marrow
@@ -108,7 +108,7 @@ void TestShellsCli::groupsHaveTheNamesOfShells() {
         for (const int c : group.cells) {
             const auto nodes = read.cells[c];
             volumes[group.name] +=
-                cellMeasure<3>(Points<3>(read.points), {nodes[0], nodes[1], nodes[2], nodes[3]});
+                cellMeasure<3>(Points3(read.points), {nodes[0], nodes[1], nodes[2], nodes[3]});
         }
     }
     int k = 0;

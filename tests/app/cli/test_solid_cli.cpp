@@ -316,7 +316,7 @@ void TestSolidCli::badSurfaces_data() {
         return surface;
     };
     row("open", changed([](Surface& s) { s.triangles.pop_back(); }), "3 open edges (first: ");
-    row("pushed-through", changed([](Surface& s) { s.points.col(0) = Vec<3>(1.5, 2, 2); }),
+    row("pushed-through", changed([](Surface& s) { s.points.col(0) = Vec3(1.5, 2, 2); }),
         "triangles that intersect");
     row("shells-cross", test::joined(kBar, test::box({1, 0.2, 0.2}, {5, 0.8, 0.8})),
         "triangles that intersect");
@@ -398,12 +398,12 @@ void TestSolidCli::cagedSurfaceBends() {
     QCOMPARE(after.size(), before.size());
     const auto place = [](const QString& line) {
         const QStringList words = line.split(' ', Qt::SkipEmptyParts);
-        return Vec<3>(words[1].toDouble(), words[2].toDouble(), words[3].toDouble());
+        return Vec3(words[1].toDouble(), words[2].toDouble(), words[3].toDouble());
     };
     for (int v = 0; v < 4; ++v)  // held, by the numbers that they have in the file
         QVERIFY((place(after[v]) - place(before[v])).norm() < 1e-3);
     // The tip turned by a right angle about (1, ½, ½).
-    const Vec<3> tip = place(before.last()), turned(1 - (tip.y() - 0.5), 0.5 + (tip.x() - 1), tip.z());
+    const Vec3 tip = place(before.last()), turned(1 - (tip.y() - 0.5), 0.5 + (tip.x() - 1), tip.z());
     QVERIFY2((place(after.last()) - turned).norm() < 0.05, qPrintable(after.last()));
     const auto report = QJsonDocument::fromJson(readTextFile(file("bend.json")).c_str());
     QCOMPARE(report["cage"]["parts"].toInt(), 2);
@@ -416,7 +416,7 @@ void TestSolidCli::faultsAreCounted() {
     SimplicialMesh<3> pair = barMesh(2);
     const int first = pair.vertexCount(), cells = pair.cellCount();
     pair.points.conservativeResize(Eigen::NoChange, 2 * first);
-    pair.points.rightCols(first) = pair.points.leftCols(first).colwise() + Vec<3>(8, 0, 0);
+    pair.points.rightCols(first) = pair.points.leftCols(first).colwise() + Vec3(8, 0, 0);
     for (int c = 0; c < cells; ++c) {
         Cell<3> cell = pair.cells[c];
         for (int& v : cell) v += first;

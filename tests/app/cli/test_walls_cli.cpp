@@ -38,7 +38,7 @@ class TestWallsCli : public QObject {
         const CliResult result = run(arguments);
         QVERIFY2(result.code == 0, qPrintable(QString::number(result.code) + result.error));
     }
-    Points<3> pointsIn(const char* name) const { return pointsOf(*sharedMeshFile(file(name))); }
+    Points3 pointsIn(const char* name) const { return pointsOf(*sharedMeshFile(file(name))); }
     void putRing() const;
 
     QTemporaryDir m_folder;
@@ -112,15 +112,13 @@ void TestWallsCli::normalsOfARing() {
     QVERIFY(B && B->components == 4);
     int within = 0;
     for (std::size_t c = 0; c < out.triangles.size(); ++c) {
-        Vec<2> centre = Vec<2>::Zero();
+        Vec2 centre = Vec2::Zero();
         for (const int v : out.triangles[c]) centre += out.points.col(v).head<2>() / 3;
-        const Vec<2> n = centre.normalized();
+        const Vec2 n = centre.normalized();
         const bool isWithin = centre.norm() < 1.3;
         within += isWithin;
-        const Mat<2> expected =
-            isWithin ? Mat<2>(Mat<2>::Identity() + 19 * n * n.transpose()) : Mat<2>::Identity();
-        const Mat<2> found =
-            Eigen::Map<const Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>(&B->values[4 * c]);
+        const Mat2 expected = isWithin ? Mat2(Mat2::Identity() + 19 * n * n.transpose()) : Mat2::Identity();
+        const Mat2 found = Eigen::Map<const Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>(&B->values[4 * c]);
         // The foot on a chord of the circle is off by the distance times the angle from the chord's middle.
         constexpr double kAngle = 0.3 * std::numbers::pi / kAround,
                          kError = 19 * std::numbers::sqrt2 * kAngle;
@@ -147,7 +145,7 @@ void TestWallsCli::layersKeepTheirHeight() {
         project(", 'regions': [{'shape': {'halfspace': {'point': [0, -1], 'normal': [0, 1]}}, 'stiffness': "
                 "{'axis': 'normal of 5', 'ratio': 300, 'within': 2}}]"));
     const auto heightOf = [&](const char* name) {  // of the first layer in the middle
-        const Points<3> points = pointsIn(name);
+        const Points3 points = pointsIn(name);
         return points(1, 21 + 10) - points(1, 10);
     };
     succeed({"run", "soft.wend", "--mesh", "soft.mesh"});
@@ -292,34 +290,34 @@ void TestWallsCli::otherPlanes_data() {
 /// A strip that is turned in space, with what moves it, has the pose that is turned as well.
 void TestWallsCli::otherPlanes() {
     QFETCH(int, turn);
-    Mat<3> R;
+    Mat3 R;
     if (turn == 0)
         R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     else if (turn == 1)
         R << 0, 0, 1, 1, 0, 0, 0, 1, 0;
     else
-        R = Eigen::AngleAxisd(0.7, Vec<3>(1, 2, -0.5).normalized()).toRotationMatrix();
+        R = Eigen::AngleAxisd(0.7, Vec3(1, 2, -0.5).normalized()).toRotationMatrix();
     const SimplicialMesh<2> strip = stripMesh(8, 2);
     MeshFile flat = toMeshFile<2>(strip);
     MeshField u{"u", false, 3, {}};
     for (int v = 0; v < strip.vertexCount(); ++v) {
-        const Vec<2> p = strip.points.col(v);
+        const Vec2 p = strip.points.col(v);
         u.values.insert(u.values.end(), {0.1 * p.y(), 0.4 + 0.05 * p.x(), 0});
     }
     flat.fields = {u};
     MeshFile turned = flat;
     turned.points = R * flat.points;
     for (std::size_t i = 0; i < turned.fields[0].values.size(); i += 3) {
-        Eigen::Map<Vec<3>> value(&turned.fields[0].values[i]);
+        Eigen::Map<Vec3> value(&turned.fields[0].values[i]);
         value = (R * value).eval();
     }
     writeMeshFile(file("flat.vtu"), flat);
     writeMeshFile(file("turned.vtu"), turned);
     // Along a path that leads over the ends of the strip.
-    const Points<3> path3 = R * (Points<3>(3, 3) << 0, 0.05, 0, -1, 1, 3, 0, 0, 0).finished();
+    const Points3 path3 = R * (Points3(3, 3) << 0, 0.05, 0, -1, 1, 3, 0, 0, 0).finished();
     std::string flatPath, turnedPath;
     for (int k = 0; k < 3; ++k) {
-        const Vec<3> p = R.transpose() * path3.col(k), q = path3.col(k);
+        const Vec3 p = R.transpose() * path3.col(k), q = path3.col(k);
         flatPath += "v " + digits(p.x()) + " " + digits(p.y()) + " " + digits(p.z()) + "\n";
         turnedPath += "v " + digits(q.x()) + " " + digits(q.y()) + " " + digits(q.z()) + "\n";
     }
@@ -333,7 +331,7 @@ void TestWallsCli::otherPlanes() {
                        name + ".vtu', 'array': 'u', 'time': [0, 1]}]}]");
     succeed({"run", "flat.wend", "--mesh", "flat_out.vtu"});
     succeed({"run", "turned.wend", "--mesh", "turned_out.vtu"});
-    const Points<3> a = R * pointsIn("flat_out.vtu"), b = pointsIn("turned_out.vtu");
+    const Points3 a = R * pointsIn("flat_out.vtu"), b = pointsIn("turned_out.vtu");
     QVERIFY((a - turned.points).cwiseAbs().maxCoeff() > 0.3);
     // Turned coordinates round differently: far below the tolerance of the integration, 1e-4 of the size.
     QVERIFY2((a - b).cwiseAbs().maxCoeff() < 1e-5,

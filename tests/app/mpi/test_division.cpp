@@ -194,7 +194,7 @@ void TestDivision::groupsAreJoinedByCells() {
     std::vector<int> groupOf;
     for (int i = 0; i < 5; ++i)
         for (int j = 0; j < 2; ++j) {
-            mesh.points.col(2 * i + j) = Vec<2>(i, j);
+            mesh.points.col(2 * i + j) = Vec2(i, j);
             groupOf.push_back(i < 4 ? i : -1);
         }
     for (int i = 0; i < 4; ++i) {

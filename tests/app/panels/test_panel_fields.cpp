@@ -278,8 +278,8 @@ void TestPanelFields::framesLeaveTheCutsNumbers() {
     place->setFocus();
     place->selectAll();
     QTest::keyClicks(place, QStringLiteral("0.25"));
-    m_f->window().findChild<CutPanel*>()->show(2, m_f->canvas().solid().plane(), Vec<3>(-3, -3, -3),
-                                               Vec<3>(3, 3, 3));
+    m_f->window().findChild<CutPanel*>()->show(2, m_f->canvas().solid().plane(), Vec3(-3, -3, -3),
+                                               Vec3(3, 3, 3));
     QTest::keyClick(place, Qt::Key_Return);
     QCOMPARE(place->text(), QStringLiteral("0.2500"));
     const CutPlane& plane = m_f->canvas().solid().plane();

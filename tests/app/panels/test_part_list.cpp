@@ -69,11 +69,11 @@ class TestPartList : public QObject {
   private:
     void dragged();
     void lock(int row);
-    void stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers modifiers = {});
+    void stroke(const std::vector<Vec2>& way, Qt::KeyboardModifiers modifiers = {});
     bool isPainted(std::size_t part);
     double gap() {
         const auto frame = m_f->session().motion().frame<2>();
-        Vec<2> difference = Vec<2>::Zero();
+        Vec2 difference = Vec2::Zero();
         for (const auto& [v, weight] : frame->rest->welds.at(0).terms)
             difference += weight * frame->pose.col(v);
         return difference.norm();
@@ -153,7 +153,7 @@ void TestPartList::listChangesParts() {
     joined->setCurrentText("board");
     emit joined->activated(joined->currentIndex());
     QCOMPARE(parts()[2].joints.size(), std::size_t{1});
-    const Vec<2> at = parts()[2].joints[0].at;  // where bar and board overlap
+    const Vec2 at = parts()[2].joints[0].at;  // where bar and board overlap
     QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().motion().frame<2>()->rest->welds.size(), std::size_t{1});
@@ -305,7 +305,7 @@ void TestPartList::partsHaveTheirOutlines() {
         Eigen::AlignedBox2d box;
         for (const MeshPart& part : frame->rest->parts)
             for (int v = part.firstVertex; part.name == name && v < part.endVertex; ++v)
-                box.extend(Vec<2>(frame->rest->points.col(v)));
+                box.extend(Vec2(frame->rest->points.col(v)));
         return box;
     };
     const double bar = boxOf("bar").min().x(), before = boxOf("board").min().x();
@@ -455,10 +455,10 @@ void TestPartList::lock(int row) {
 }
 
 /// Presses at the first place of the document, and lets go at the last one.
-void TestPartList::stroke(const std::vector<Vec<2>>& way, Qt::KeyboardModifiers modifiers) {
+void TestPartList::stroke(const std::vector<Vec2>& way, Qt::KeyboardModifiers modifiers) {
     ShapeCanvas& canvas = m_f->window().canvas();
     QTest::mousePress(&canvas, Qt::LeftButton, modifiers, canvas.toWidget(way.front()).toPoint());
-    for (const Vec<2>& p : way) {
+    for (const Vec2& p : way) {
         const QPointF at = canvas.toWidget(p);
         QMouseEvent move(QEvent::MouseMove, at, canvas.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
                          modifiers);
@@ -550,13 +550,13 @@ void TestPartList::detailBelongsToParts() {
     const auto pointsOf = [&](const std::string& name) {
         const SimplicialMesh<2>& rest = *session.motion().frame<2>()->rest;
         const auto part = std::ranges::find(rest.parts, name, &MeshPart::name);
-        return Points<2>(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
+        return Points2(rest.points.middleCols(part->firstVertex, part->endVertex - part->firstVertex));
     };
     const auto sizes = [&] { return session.document().domain().sizes; };
-    const auto near = [](const Points<2>& points) {
-        return ((points.colwise() - Vec<2>(72, 37)).colwise().norm().array() < 10).count();
+    const auto near = [](const Points2& points) {
+        return ((points.colwise() - Vec2(72, 37)).colwise().norm().array() < 10).count();
     };
-    const Points<2> bar = pointsOf("bar"), board = pointsOf("board");
+    const Points2 bar = pointsOf("bar"), board = pointsOf("board");
     m_f->window().tools().setMode(Mode::Mesh);
     m_f->tool("sizes")->trigger();
     stroke({{70, 35}, {75, 40}});
@@ -569,7 +569,7 @@ void TestPartList::detailBelongsToParts() {
     list().item(1)->setText("arm");
     QTRY_COMPARE(sizes().front().regions.front().part, std::string("arm"));
     QVERIFY(settle(session));
-    const Points<2> finer = pointsOf("arm");
+    const Points2 finer = pointsOf("arm");
     QVERIFY(near(finer) > near(bar));
     lock(1);
     stroke({{70, 35}, {75, 40}});
@@ -675,7 +675,7 @@ void TestPartList::outlinesOfLockedPartsStay() {
     lock(1);
     m_f->tool("outlineLasso")->trigger();
     const int steps = undo().index();
-    const std::vector<Vec<2>> around{{60, 30}, {85, 30}, {85, 50}, {60, 50}, {60, 31}};
+    const std::vector<Vec2> around{{60, 30}, {85, 30}, {85, 50}, {60, 50}, {60, 31}};
     stroke(around, Qt::ControlModifier);
     QCOMPARE(undo().index(), steps);
     auto* makesPart = m_f->window().findChild<QAction*>("makesPart");

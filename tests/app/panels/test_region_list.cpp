@@ -203,7 +203,7 @@ void TestRegionList::chosenOnesAreOutlined() {
         return canvas.grab().toImage();
     };
     const auto ball = std::get<Ball<3>>(layers(of)[0].regions[0].shape);
-    const QPoint edge = canvas.toWidget(inPlane(ball.centre) - Vec<2>(0, ball.radius)).toPoint();
+    const QPoint edge = canvas.toWidget(inPlane(ball.centre) - Vec2(0, ball.radius)).toPoint();
     const auto differAtTheEdge = [&](const QImage& a, const QImage& b) {
         for (int y = -3; y <= 3; ++y)
             if (a.pixel(edge + QPoint(0, y)) != b.pixel(edge + QPoint(0, y))) return true;

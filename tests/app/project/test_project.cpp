@@ -409,7 +409,7 @@ class TestProject : public QObject {
             return planar(*parseProject(withMaterial("'cells': {'B': " + B + "}"), "p.wend").project)
                 .material.cellB;
         };
-        const std::vector<Mat<3>> expected = read("[[1, 0, 0, 1], [2, 0.5, 0.5, 3]]");
+        const std::vector<Mat3> expected = read("[[1, 0, 0, 1], [2, 0.5, 0.5, 3]]");
         QCOMPARE(expected.size(), std::size_t(2));
         QCOMPARE(expected[1](0, 1), 0.5);
         for (const char* other : {"[[1, 1, 0], [2, 3, 0.5]]", "[[[1, 0], [0, 1]], [[2, 0.5], [0.5, 3]]]",
@@ -419,7 +419,7 @@ class TestProject : public QObject {
             parseProject(projectText("'domain': {'surface': 's.obj'}, 'material': {'cells': {'B': [[1, "
                                      "2, 3, 0.1, 0.2, 0.3]]}}"),
                          "p.wend");
-        Mat<3> B;
+        Mat3 B;
         B << 1, 0.1, 0.3, 0.1, 2, 0.2, 0.3, 0.2, 3;
         QCOMPARE(solid.project->design.material.cellB.at(0), B);
         QVERIFY(reasonFor(withMaterial("'cells': {'B': [[1, 0, 0]]}")).contains("is not positive definite"));

@@ -109,7 +109,7 @@ void TestSaid::messagesAreFilledAfterTranslation() {
 
 /// A tetrahedron without one of its faces, another one twice.
 void TestSaid::problemsAreListed() {
-    Surface surface{Points<3>(3, 4), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {1, 2, 3}}, {}};
+    Surface surface{Points3(3, 4), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {1, 2, 3}}, {}};
     surface.points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
     const auto mesh = [&] { meshVolume(surface, {}); };
     QCOMPARE(saidOf(mesh),

@@ -329,8 +329,8 @@ void TestCoarseBody::partsSideBySideAreExact() {
         QVERIFY(drag.rides());
         Grip turn;
         turn.kind = Grip::Kind::Turn;
-        turn.centre = Vec<3>(0.55, 0.5, Dim == 2 ? 0 : 0.5);
-        turn.axis = Vec<3>::UnitZ();
+        turn.centre = Vec3(0.55, 0.5, Dim == 2 ? 0 : 0.5);
+        turn.axis = Vec3::UnitZ();
         drag.begin({2}, turn, rest);
         QVERIFY(!drag.follow({0.05, 0, 0}).stopped);
         const Eigen::Rotation2Dd by(0.05);
@@ -415,7 +415,7 @@ void TestCoarseBody::holesStayOpen() {
     SimplicialMesh<2> mesh = gridBar<2>(24);
     std::erase_if(mesh.cells, [&](const Cell<2>& cell) {
         return std::ranges::all_of(cell, [&](int v) {
-            const Vec<2> p = mesh.points.col(v);
+            const Vec2 p = mesh.points.col(v);
             return p.x() >= 1 && p.x() <= 3 && p.y() >= 0.45 && p.y() <= 0.55;
         });
     });
@@ -426,7 +426,7 @@ void TestCoarseBody::holesStayOpen() {
     QVERIFY(expected < kLength - 0.1);
     QVERIFY(std::abs(area - expected) < 1e-9);
     for (const auto& cell : body.cells) {
-        const Vec<2> p = (body.points.col(cell[0]) + body.points.col(cell[1]) + body.points.col(cell[2])) / 3;
+        const Vec2 p = (body.points.col(cell[0]) + body.points.col(cell[1]) + body.points.col(cell[2])) / 3;
         QVERIFY(p.x() < 1 || p.x() > 3 || std::abs(p.y() - 0.5) > 0.04);
     }
 }
@@ -438,7 +438,7 @@ void TestCoarseBody::jawsStayApart() {
         SimplicialMesh<3> mesh = gridBar<3>(10);
         std::erase_if(mesh.cells, [&](const Cell<3>& cell) {
             return std::ranges::all_of(cell, [&](int v) {
-                const Vec<3> p = mesh.points.col(v);
+                const Vec3 p = mesh.points.col(v);
                 return p.x() >= 1 && std::abs(p.y() - 0.5) <= gap / 2 + 1e-9;
             });
         });
@@ -463,7 +463,7 @@ void TestCoarseBody::onlyLargeShapesNeedOne() {
     auto doubled = std::make_shared<SimplicialMesh<2>>(*large.rest);
     const int count = doubled->vertexCount();
     doubled->points.conservativeResize(2, 2 * count);
-    doubled->points.rightCols(count) = large.rest->points.colwise() + Vec<2>(0.3, 0.3);
+    doubled->points.rightCols(count) = large.rest->points.colwise() + Vec2(0.3, 0.3);
     for (Cell<2> cell : large.rest->cells) {
         for (int& v : cell) v += count;
         doubled->cells.push_back(cell);

@@ -35,8 +35,8 @@ struct Bar<2> {
         f.window().actions().selectTool->trigger();
         return settle(f.session());
     }
-    static Vec<2> end() { return {200, 80}; }
-    static Vec<2> way() { return {-60, 30}; }
+    static Vec2 end() { return {200, 80}; }
+    static Vec2 way() { return {-60, 30}; }
 };
 
 template <>
@@ -45,8 +45,8 @@ struct Bar<3> {
     static SolidCanvas& canvas(SolidFixture& f) { return f.canvas(); }
     static SolidCanvas& other(SolidFixture& f) { return *f.window().compared().solid(); }
     static bool hold(SolidFixture& f) { return f.holdEnds(); }
-    static Vec<3> end() { return {2, 0, 0}; }
-    static Vec<3> way() { return {-1, 0, 0.7}; }
+    static Vec3 end() { return {2, 0, 0}; }
+    static Vec3 way() { return {-1, 0, 0.7}; }
 };
 
 }  // namespace
@@ -288,7 +288,7 @@ void TestComparison::halvesShowTheSamePart() {
     QVERIFY(settle(m_f->session()));
     m_f->window().actions().fit->trigger();
     const auto shows = [&](const ShapeCanvas& canvas) {
-        const Points<2>& pose = m_f->session().motion().frame<2>()->pose;
+        const Points2& pose = m_f->session().motion().frame<2>()->pose;
         for (Eigen::Index v = 0; v < pose.cols(); ++v)
             if (!canvas.rect().contains(canvas.toWidget(pose.col(v)).toPoint())) return false;
         return true;

@@ -25,12 +25,12 @@ using namespace wend::test;
 namespace {
 
 /// Up to the rounding of another clock.
-bool isNear(const Points<2>& a, const Points<2>& b) {
+bool isNear(const Points2& a, const Points2& b) {
     return a.cols() == b.cols() && (a - b).colwise().norm().maxCoeff() < 1e-6;
 }
 
-std::vector<Points<2>> posesOf(const FrameTrack& track) {
-    std::vector<Points<2>> poses;
+std::vector<Points2> posesOf(const FrameTrack& track) {
+    std::vector<Points2> poses;
     for (const FramePtr& frame : track.frames()) poses.push_back(posed<2>(frame)->pose);
     return poses;
 }
@@ -82,8 +82,8 @@ class TestCompute : public QObject {
     void openMoved();
     template <int Dim>
     QString whatIsLeft(const FramePtr& last) const;
-    void drag(int handle, const std::vector<Vec<2>>& way);
-    Points<2> commandLinePose() const;
+    void drag(int handle, const std::vector<Vec2>& way);
+    Points2 commandLinePose() const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<ShapeSession> m_session;
@@ -103,16 +103,16 @@ void TestCompute::open() {
     QVERIFY(settle(*m_session));
 }
 
-void TestCompute::drag(int handle, const std::vector<Vec<2>>& way) {
+void TestCompute::drag(int handle, const std::vector<Vec2>& way) {
     m_session->selection().set({handle});
     m_session->gestures().begin();
-    for (const Vec<2>& offset : way) m_session->gestures().moveBy(inSpace(offset));
+    for (const Vec2& offset : way) m_session->gestures().moveBy(inSpace(offset));
     m_session->gestures().end(0.2);
     QVERIFY(settle(*m_session));
 }
 
 /// The shape at the end as a fresh deformer makes it of the shape, in one run.
-Points<2> TestCompute::commandLinePose() const {
+Points2 TestCompute::commandLinePose() const {
     const auto project = m_session->document().project();
     const auto shape = std::get<Shape<2>>(loadShape(*project, m_folder->path().toStdString()));
     Deformer<2> deformer(shape.rest, shape.material, heldHandles(*project, shape), integrationOf(*project));
@@ -131,7 +131,7 @@ void TestCompute::opensAtRest() {
 
 void TestCompute::pinsBecomeVertices() {
     open();
-    const Vec<2> at(61.25, 79.5);
+    const Vec2 at(61.25, 79.5);
     QCOMPARE(m_session->addPin(inSpace(at)), 0);
     QVERIFY(settle(*m_session));
     const auto& points = m_session->motion().frame<2>()->rest->points;
@@ -149,7 +149,7 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
     drag(1, {{0, 5}, {-4, 14}, {-10, 25}});
     QCOMPARE(m_session->playback().time(), 1.0);
     QVERIFY(!m_session->motion().frame()->live);
-    const Points<2> expected = commandLinePose();
+    const Points2 expected = commandLinePose();
     QVERIFY(m_session->motion().frame<2>()->pose == expected);
     const auto pins = m_session->gestures().pins();
     QVERIFY((pins[1].centre - Vec3(190, 105, 0)).norm() < 1e-9);
@@ -168,7 +168,7 @@ void TestCompute::stopsWhileItPrepares() {
     drag(1, {{0, 5}});
     const auto second = m_session->document().project();
     MotionPass<2> pass;
-    std::vector<Points<2>> frames;
+    std::vector<Points2> frames;
     MotionPass<2>::Sink sink;
     sink.onFrame = [&](const State<2>& state, double) { frames.push_back(state.points); };
     sink.progress = [](double, double) {};
@@ -327,7 +327,7 @@ void TestCompute::otherLengthsKeepThePoses() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 6}, {0, 20}});
-    const Points<2> end = m_session->motion().frame<2>()->pose;
+    const Points2 end = m_session->motion().frame<2>()->pose;
     for (const double length : {0.5, 5.0}) {
         setLength(m_session->document(), length);
         QVERIFY(settle(*m_session));
@@ -380,7 +380,7 @@ void TestCompute::dragsGoOnFromWhatIsShown() {
     const auto before = m_session->document().project();
     m_session->playback().setTime(0.4);
     const Vec3 seen = m_session->gestures().pins()[1].centre;
-    const Points<2> pose = m_session->motion().frame<2>()->pose;
+    const Points2 pose = m_session->motion().frame<2>()->pose;
     QVERIFY(seen.y() > 85 && seen.y() < 115);
     QSignalSpy notices(&m_session->document(), &Document::notice);
     m_session->selection().set({1});
@@ -407,7 +407,7 @@ void TestCompute::escapeRestores() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     QVERIFY(settle(*m_session));
-    const Points<2> before = m_session->motion().frame<2>()->pose;
+    const Points2 before = m_session->motion().frame<2>()->pose;
     const int steps = m_session->document().undoStack()->count();
     m_session->gestures().begin();
     m_session->gestures().moveBy({0, 20, 0});
@@ -425,7 +425,7 @@ void TestCompute::undoShowsTheEarlierShapeAtOnce() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
-    const Points<2> first = m_session->motion().frame<2>()->pose;
+    const Points2 first = m_session->motion().frame<2>()->pose;
     drag(1, {{0, -30}});
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
@@ -438,7 +438,7 @@ void TestCompute::laterPinMovesNothing() {
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
     drag(1, {{0, 20}});
-    const Points<2> before = m_session->motion().frame<2>()->pose;
+    const Points2 before = m_session->motion().frame<2>()->pose;
     const auto rest = m_session->motion().frame<2>()->rest;
     const int added = m_session->addPin(m_session->gestures().pins()[1].centre + Vec3(-60, -2, 0));
     QCOMPARE(added, 2);
@@ -487,7 +487,7 @@ void TestCompute::foldsStopTheHandle() {
 
 void TestCompute::problemsAreTold() {
     open();
-    const Points<2> before = m_session->motion().frame<2>()->pose;
+    const Points2 before = m_session->motion().frame<2>()->pose;
     QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
     test::addPin(m_session->document(), {5, 5}, "stray");
     QVERIFY(QTest::qWaitFor([&] { return !problems.isEmpty(); }, 20000));
@@ -819,7 +819,7 @@ void TestCompute::hullGoesRound() {
     QCOMPARE(hull.size(), std::size_t(4));
     double area = 0;
     for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec<2>&a = hull[i], &b = hull[(i + 1) % hull.size()];
+        const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
         area += (a.x() * b.y() - b.x() * a.y()) / 2;
     }
     QCOMPARE(area, 4.0);

@@ -49,11 +49,11 @@ class TestGestures : public QObject {
     bool settled() { return settle(*m_session); }
     const Project& project() { return *m_session->document().project(); }
     void begin(int handle);
-    void drag(int handle, const Vec<2>& way);
+    void drag(int handle, const Vec2& way);
     bool follows() {
         return QTest::qWaitFor([&] { return m_session->motion().frame()->live; }, 20000);
     }
-    Points<2> poseOf(const Project& project) const;
+    Points2 poseOf(const Project& project) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<ShapeSession> m_session;
@@ -82,14 +82,14 @@ void TestGestures::begin(int handle) {
     QVERIFY(m_session->motion().isDragging());
 }
 
-void TestGestures::drag(int handle, const Vec<2>& way) {
+void TestGestures::drag(int handle, const Vec2& way) {
     begin(handle);
     m_session->gestures().moveBy(inSpace(way));
     m_session->gestures().end(0.2);
     QVERIFY(settled());
 }
 
-Points<2> TestGestures::poseOf(const Project& project) const {
+Points2 TestGestures::poseOf(const Project& project) const {
     const auto shape = std::get<Shape<2>>(loadShape(project, m_folder->path().toStdString()));
     Deformer<2> deformer(shape.rest, shape.material, heldHandles(project, shape), integrationOf(project));
     deformer.advance(endOf(project));
@@ -100,7 +100,7 @@ Points<2> TestGestures::poseOf(const Project& project) const {
 void TestGestures::newPinIsThereAfterACancelledDrag() {
     open(6000);
     for (const int wait : {0, 1, 5, 20, 60}) {
-        const Vec<2> at(90.25 + wait, 80.5);
+        const Vec2 at(90.25 + wait, 80.5);
         const int added = m_session->addPin(inSpace(at));
         QTest::qWait(wait);
         begin(added);
@@ -277,7 +277,7 @@ void TestGestures::handlesThatAreGoneCanBeRemoved() {
 void TestGestures::pinSitsWhereItWasClicked() {
     open();
     drag(1, {0, 30});
-    const Vec<2> far(210, 82);  // of the shape at rest; at the end it is elsewhere
+    const Vec2 far(210, 82);  // of the shape at rest; at the end it is elsewhere
     m_session->playback().setTime(0);
     QVERIFY(m_session->motion().frame<2>()->pose == m_session->motion().frame<2>()->rest->points);
     const int added = m_session->addPin(inSpace(far));

@@ -41,7 +41,7 @@ struct Way {
 Way wayOf(const PosedFrame<2>& frame) {
     Way way;
     for (int v = 0; v < frame.rest->vertexCount(); ++v) {
-        const Vec<2> p = frame.rest->points.col(v), by = (frame.pose.col(v) - p).cwiseAbs();
+        const Vec2 p = frame.rest->points.col(v), by = (frame.pose.col(v) - p).cwiseAbs();
         const bool x = onSide(p.x(), kWidth), y = onSide(p.y(), kHeight);
         if (x && y) way.corners = std::max(way.corners, by.maxCoeff());
         if (x) way.off = std::max(way.off, by.x());
@@ -203,12 +203,11 @@ void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
     const auto frame = m_session->motion().frame<2>();
     int moved = 0;
     for (int v = 0; v < frame->rest->vertexCount(); ++v) {
-        const Vec<2> p = frame->rest->points.col(v);
+        const Vec2 p = frame->rest->points.col(v);
         if (!onSide(p.x(), kWidth) && !onSide(p.y(), kHeight)) continue;
-        const bool pinned = p == Vec<2>(150, 0);
+        const bool pinned = p == Vec2(150, 0);
         moved += pinned ? 1 : 0;
-        QVERIFY((frame->pose.col(v) - p - (pinned ? Vec<2>(0, 12) : Vec<2>(0, 0))).norm() <=
-                (pinned ? 1e-6 : 0));
+        QVERIFY((frame->pose.col(v) - p - (pinned ? Vec2(0, 12) : Vec2(0, 0))).norm() <= (pinned ? 1e-6 : 0));
     }
     QCOMPARE(moved, 1);
 }
@@ -230,15 +229,15 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
         if (isHeld(v)) numbers.push_back(v);
     const Region<3> region = HalfSpace<3>{{30, 0, 0}, {-1, 0, 0}};
     m_session->addHandle(byNumber ? Placement<3>(numbers) : Placement<3>(region), "End");
-    const Vec<2> by(-8, 6);
+    const Vec2 by(-8, 6);
     m_session->gestures().moveAtOnce({}, {by.x(), by.y(), 0});
     QVERIFY(settle(*m_session));
     const auto frame = m_session->motion().frame<2>();
     QCOMPARE(frame->rest, rest);
     for (int v = 0; v < rest->vertexCount(); ++v) {
-        const Vec<2> p = rest->points.col(v);
+        const Vec2 p = rest->points.col(v);
         if (!isHeld(v) && !onSide(p.x(), kWidth) && !onSide(p.y(), kHeight)) continue;
-        const Vec<2> way = isHeld(v) ? by : Vec<2>(0, 0);
+        const Vec2 way = isHeld(v) ? by : Vec2(0, 0);
         QVERIFY2((frame->pose.col(v) - p - way).norm() < 1e-6, qPrintable(QString::number(v)));
     }
 }

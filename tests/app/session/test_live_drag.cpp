@@ -45,8 +45,8 @@ std::vector<Handle<3>> ends() {
     for (const int side : {0, 1}) {
         Handle<3>& handle = handles[static_cast<std::size_t>(side)];
         handle.name = side ? "top" : "bottom";
-        const Vec<3> normal = (side ? 1 : -1) * Vec<3>::UnitZ();
-        handle.at = Region<3>(HalfSpace<3>{(side ? kLength - 1e-9 : 1e-9) * Vec<3>::UnitZ(), normal});
+        const Vec3 normal = (side ? 1 : -1) * Vec3::UnitZ();
+        handle.at = Region<3>(HalfSpace<3>{(side ? kLength - 1e-9 : 1e-9) * Vec3::UnitZ(), normal});
     }
     return handles;
 }
@@ -93,7 +93,7 @@ double softening(const Shape<3>& shape) {
 
 /// Whether the pose is that of a shape that rode in a body, or that of its own flow; with its own φ rather
 /// than with another. The session may have left samples out, which makes little of a difference.
-bool nearer(const Points<3>& pose, const Shape<3>& shape, bool rides, double otherPhi) {
+bool nearer(const Points3& pose, const Shape<3>& shape, bool rides, double otherPhi) {
     const auto distance = [&](std::shared_ptr<const CoarseBody<3>> body) {
         LiveDrag<3> drag(shape, ends(), std::move(body));
         drag.begin({1}, {}, shape.rest->points);
@@ -126,13 +126,13 @@ void TestLiveDrag::othersGoAlongWithARecording() {
     constexpr int kSamples = 15;
     const Shape<3> shape = shapeOf(40, phi::kMetr);
     std::vector<Handle<3>> film = ends();
-    film[0].motions = {{Rotate<3>{Vec<3>(1, 1, 0), Vec<3>::UnitZ(), 0.5}, 0, 0.75},
-                       {Translate<3>{Vec<3>(0.3, 0, 0)}, 0.75, 1}};
+    film[0].motions = {{Rotate<3>{Vec3(1, 1, 0), Vec3::UnitZ(), 0.5}, 0, 0.75},
+                       {Translate<3>{Vec3(0.3, 0, 0)}, 0.75, 1}};
     Recorded<3> led;
     const auto timeAt = [](int i) { return kBegin + (kEnd - kBegin) * i / kSamples; };
     for (int i = 0; i <= kSamples; ++i) {
         led.times.push_back(timeAt(i));
-        led.points.push_back(i == 0 ? Vec<3>::Zero() : Vec<3>(0.5 * handAt(i)));
+        led.points.push_back(i == 0 ? Vec3::Zero() : Vec3(0.5 * handAt(i)));
     }
     film[1].motions = {{led, kBegin, kEnd}};
     Deformer<3> exact(shape.rest, shape.material, film, {}, backEndFactory<3>(BackEndKind::Automatic));
@@ -144,9 +144,9 @@ void TestLiveDrag::othersGoAlongWithARecording() {
         QVERIFY(!step.stopped && step.pinError < 1e-9);
         const Trajectory<3> turn(film[0].motions[0]), shift(film[0].motions[1]);
         for (int v = 0; v < shape.rest->vertexCount(); ++v) {
-            const Vec<3> p = shape.rest->points.col(v);
+            const Vec3 p = shape.rest->points.col(v);
             if (p.z() > 1e-9) continue;
-            const Vec<3> there =
+            const Vec3 there =
                 shift.at(timeAt(i), Side::Before).position(turn.at(timeAt(i), Side::Before).position(p));
             QVERIFY((preview.pose().col(v) - there).norm() < 1e-9 * kLength);
         }
@@ -155,7 +155,7 @@ void TestLiveDrag::othersGoAlongWithARecording() {
     const double off = (preview.pose() - exact.state().points).colwise().norm().maxCoeff() / kLength;
     QVERIFY2(off < 2e-3, qPrintable(QString::number(off)));
     // After the end of their motions they stand still.
-    const Points<3> before = preview.pose();
+    const Points3 before = preview.pose();
     preview.follow(0.5 * handAt(kSamples), kEnd + 1);
     QVERIFY((preview.pose() - before).cwiseAbs().maxCoeff() < 1e-9 * kLength);
 }
@@ -164,7 +164,7 @@ void TestLiveDrag::othersGoAlongWithARecording() {
 void TestLiveDrag::readyBeforeTheMotionIsKnown() {
     const QTemporaryDir folder;
     Project project = barOf(folder, 1000, phi::kMetr);
-    project.design.handles[1].motions = {{Translate<3>{Vec<3>(1, 0, 0)}, 0, 1}};
+    project.design.handles[1].motions = {{Translate<3>{Vec3(1, 0, 0)}, 0, 1}};
     std::stop_source stop;
     ShapeEngine::Sink sink;
     sink.shapeReady = [](int, const std::shared_ptr<const void>&, const KeptFrames&) {};

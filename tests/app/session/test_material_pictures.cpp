@@ -46,14 +46,14 @@ double grayOfPhi(double phi) {
     return low;
 }
 
-Vec<2> middleOf(const SimplicialMesh<2>& mesh, int cell) {
-    Vec<2> sum = Vec<2>::Zero();
+Vec2 middleOf(const SimplicialMesh<2>& mesh, int cell) {
+    Vec2 sum = Vec2::Zero();
     for (const int v : mesh.cells[cell]) sum += mesh.points.col(v) / 3;
     return sum;
 }
 
 /// A picture's own pixels, by another program's reader.
-double grayAt(const QImage& image, const Vec<2>& p) {
+double grayAt(const QImage& image, const Vec2& p) {
     return QColor(image.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()))).redF();
 }
 
@@ -141,7 +141,7 @@ void TestMaterialPictures::everythingComesBack() {
     QCOMPARE(keep.size(), QSize(240, 160));
     QCOMPARE(keep.pixelColor(2, 2).alpha(), 0);  // beside the shape
     for (int c = 0; c < shape.rest->cellCount(); ++c) {
-        const Vec<2> p = middleOf(*shape.rest, c);
+        const Vec2 p = middleOf(*shape.rest, c);
         QVERIFY(std::abs(phiOfGray(grayAt(keep, p)) - shape.material->phi[c]) < 1e-3);
         const auto B = shape.material->anisotropy[c];
         const double half = (B(0, 0) - B(1, 1)) / 2, mean = B.trace() / 2, r = std::hypot(half, B(0, 1));
@@ -189,9 +189,9 @@ void TestMaterialPictures::directionsAreAsSeen() {
     auto& region = addRegion(project, {{0, 0, 0}, {16, 4, 0}});
     region.pictures.direction = path.toStdString();
     region.pictures.up = up;
-    const Vec<2> axis(x, y);
-    for (const Mat<2>& B : materialOf(project).anisotropy)
-        QVERIFY((B - Mat<2>::Identity() - 19 * axis * axis.transpose()).norm() < 5e-3);
+    const Vec2 axis(x, y);
+    for (const Mat2& B : materialOf(project).anisotropy)
+        QVERIFY((B - Mat2::Identity() - 19 * axis * axis.transpose()).norm() < 5e-3);
 }
 
 void TestMaterialPictures::transparentLeavesWhatIsThere() {
@@ -330,7 +330,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     actions.bringIn[MaterialPart::Keep]->trigger();
     QVERIFY(settle(session));
     const auto& layers = *f.window().properties().layers().list();
-    const auto phiAt = [&](const Vec<2>& p) {
+    const auto phiAt = [&](const Vec2& p) {
         const auto frame = session.motion().frame<2>();
         int best = 0;
         for (int c = 0; c < frame->rest->cellCount(); ++c)

@@ -237,7 +237,7 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
     QVERIFY(before == after);
     for (Eigen::Index v = 0; v < torn.points.cols(); ++v)
         if (torn.points(0, v) > 2.9)
-            QVERIFY((pointsOf(*bent).col(v) - torn.points.col(v) - Vec<3>(0, 0.8, 0.4)).norm() < 1e-9);
+            QVERIFY((pointsOf(*bent).col(v) - torn.points.col(v) - Vec3(0, 0.8, 0.4)).norm() < 1e-9);
     outputs.mesh = {file("bent.msh")};
     outputs.velocity = {file("bent.csv")};
     outputs.report = {file("bent.json")};
@@ -296,7 +296,7 @@ void TestMeshTrust::spareVerticesOfMeshesAreTold() {
     const auto out = sharedMeshFile(file("spare.vtu"));
     QCOMPARE(pointsOf(*out).cols(), Eigen::Index(8));
     QVERIFY(pointsOf(*out).col(6) == pointsOf(*out).col(5) && pointsOf(*out).col(7) == spare.points.col(7));
-    QVERIFY((pointsOf(*out).col(6) - Vec<3>(2.2, 1.1, 0)).norm() < 1e-9);
+    QVERIFY((pointsOf(*out).col(6) - Vec3(2.2, 1.1, 0)).norm() < 1e-9);
 }
 
 void TestMeshTrust::errorAtTheEndIsTold() {

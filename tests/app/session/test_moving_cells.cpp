@@ -40,7 +40,7 @@ MeshPtr gridOf(int side) {
     mesh->points.resize(2, (side + 1) * (side + 1));
     const auto at = [side](int i, int j) { return j * (side + 1) + i; };
     for (int j = 0; j <= side; ++j)
-        for (int i = 0; i <= side; ++i) mesh->points.col(at(i, j)) = kUnit * Vec<2>(i, j);
+        for (int i = 0; i <= side; ++i) mesh->points.col(at(i, j)) = kUnit * Vec2(i, j);
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             if (std::min(i, j) >= kHole && std::max(i, j) < 2 * kHole) continue;
@@ -51,28 +51,28 @@ MeshPtr gridOf(int side) {
 }
 
 /// A wave that nothing coarse follows everywhere, and one vertex that a pin pulls along.
-Points<2> bent(const SimplicialMesh<2>& mesh, double pull = 9) {
-    Points<2> pose = mesh.points;
+Points2 bent(const SimplicialMesh<2>& mesh, double pull = 9) {
+    Points2 pose = mesh.points;
     const double size = kSide * kUnit;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) {
-        const Vec<2> p = mesh.points.col(v) / size;
-        pose.col(v) += 20 * Vec<2>(std::sin(5 * p.y()), p.x() * p.x() + std::cos(4 * p.x() * p.y()));
+        const Vec2 p = mesh.points.col(v) / size;
+        pose.col(v) += 20 * Vec2(std::sin(5 * p.y()), p.x() * p.x() + std::cos(4 * p.x() * p.y()));
     }
-    pose.col(100 * (kSide + 1) + 120) += Vec<2>(pull, 0);
+    pose.col(100 * (kSide + 1) + 120) += Vec2(pull, 0);
     return pose;
 }
 
 /// The farthest that a vertex of the shape lies from where the cells have it, by all of them.
-double farthest(const SimplicialMesh<2>& mesh, const std::vector<Cell<2>>& cells, const Points<2>& pose) {
+double farthest(const SimplicialMesh<2>& mesh, const std::vector<Cell<2>>& cells, const Points2& pose) {
     std::vector<double> least(static_cast<std::size_t>(mesh.vertexCount()), -1);
     for (const Cell<2>& cell : cells) {
-        const Vec<2> a = mesh.points.col(cell[0]);
-        Mat<2> edges, moved;
+        const Vec2 a = mesh.points.col(cell[0]);
+        Mat2 edges, moved;
         edges << mesh.points.col(cell[1]) - a, mesh.points.col(cell[2]) - a;
         moved << pose.col(cell[1]) - pose.col(cell[0]), pose.col(cell[2]) - pose.col(cell[0]);
-        const Mat<2> toWeights = edges.inverse();
+        const Mat2 toWeights = edges.inverse();
         for (int v = 0; v < mesh.vertexCount(); ++v) {
-            const Vec<2> w = toWeights * (mesh.points.col(v) - a);
+            const Vec2 w = toWeights * (mesh.points.col(v) - a);
             if (w.minCoeff() < -1e-9 || w.sum() > 1 + 1e-9) continue;
             const double off = (pose.col(cell[0]) + moved * w - pose.col(v)).norm();
             least[v] = std::max(least[v], off);
@@ -113,7 +113,7 @@ std::shared_ptr<const Image> picture() {
     return std::make_shared<const Image>(std::move(image));
 }
 
-RenderRequest requestOf(const MeshPtr& mesh, const Points<2>& pose) {
+RenderRequest requestOf(const MeshPtr& mesh, const Points2& pose) {
     auto frame = std::make_shared<PosedFrame<2>>();
     frame->dimension = 2;
     frame->rest = mesh;
@@ -136,7 +136,7 @@ int worst(QRgb a, QRgb b) {
 
 void TestMovingCells::nothingIsFarFromItsPlace() {
     const MeshPtr mesh = gridOf(kSide);
-    const Points<2> pose = bent(*mesh);
+    const Points2 pose = bent(*mesh);
     MovingCells moving;
     for (const double tolerance : {1.0, 0.5, 0.2}) {
         const auto drawn = moving.of(mesh, nullptr, pose, tolerance);
@@ -169,9 +169,9 @@ void TestMovingCells::moreAreTakenWhereItBends() {
 /// A vertex that no cell has lies anywhere.
 void TestMovingCells::unusedVerticesDoNotMatter() {
     const MeshPtr mesh = gridOf(kSide);
-    Points<2> pose = bent(*mesh);
+    Points2 pose = bent(*mesh);
     const int inHole = (kHole + 10) * (kSide + 1) + kHole + 10;
-    pose.col(inHole) = Vec<2>(1e6, -1e6);
+    pose.col(inHole) = Vec2(1e6, -1e6);
     const auto drawn = MovingCells().of(mesh, nullptr, pose, 0.5);
     QVERIFY(drawn);
     for (const Cell<2>& cell : drawn->cells) QVERIFY(std::ranges::find(cell, inHole) == cell.end());
@@ -181,7 +181,7 @@ void TestMovingCells::unusedVerticesDoNotMatter() {
 void TestMovingCells::usualMeshesAreDrawnSo() {
     const MeshPtr mesh = gridOf(74);
     QVERIFY(mesh->vertexCount() < 5700);
-    Points<2> pose = mesh->points;
+    Points2 pose = mesh->points;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) pose(0, v) += 15 * std::sin(0.01 * pose(1, v));
     const auto drawn = MovingCells().of(mesh, nullptr, pose, 0.5);
     QVERIFY(drawn && 2 * drawn->cells.size() < mesh->cells.size());
@@ -192,9 +192,9 @@ void TestMovingCells::whatIsNotWorthwhileIsDrawnWhole() {
     const MeshPtr small = gridOf(55), mesh = gridOf(kSide);
     QVERIFY(!MovingCells().of(small, nullptr, small->points, 1));
     // Noise that no fewer cells follow; and where it is allowed to be off as far again, it is tried again.
-    Points<2> noisy = mesh->points;
+    Points2 noisy = mesh->points;
     for (Eigen::Index v = 0; v < noisy.cols(); ++v)
-        noisy.col(v) += Vec<2>(std::sin(7.0 * v), std::cos(3.0 * v));
+        noisy.col(v) += Vec2(std::sin(7.0 * v), std::cos(3.0 * v));
     MovingCells moving;
     for (int i = 0; i < 20; ++i) QVERIFY(!moving.of(mesh, nullptr, noisy, 0.01));
     QVERIFY(moving.of(mesh, nullptr, noisy, 5));
@@ -202,7 +202,7 @@ void TestMovingCells::whatIsNotWorthwhileIsDrawnWhole() {
     auto twice = std::make_shared<SimplicialMesh<2>>(*mesh);
     const int count = mesh->vertexCount();
     twice->points.conservativeResize(2, 2 * count);
-    twice->points.rightCols(count) = mesh->points.colwise() + Vec<2>(11.3, 7.1);
+    twice->points.rightCols(count) = mesh->points.colwise() + Vec2(11.3, 7.1);
     for (const Cell<2>& cell : mesh->cells)
         twice->cells.push_back({cell[0] + count, cell[1] + count, cell[2] + count});
     QVERIFY(!MovingCells().of(twice, nullptr, twice->points, 1));
@@ -220,7 +220,7 @@ void TestMovingCells::pictureIsTheSame() {
     QFETCH(bool, folded);
     const MeshPtr mesh = gridOf(kSide);
     for (const bool leftAbove : {false, true}) {
-        Points<2> pose = bent(*mesh, 0);
+        Points2 pose = bent(*mesh, 0);
         std::vector<float> depth;
         if (folded) {
             const double middle = kSide * kUnit / 2;
@@ -278,7 +278,7 @@ void TestMovingCells::partsAreDrawnSo() {
     constexpr int kSquares = 74;
     const MeshPtr sheet = gridOf(kSquares);
     const int vertices = sheet->vertexCount(), cells = sheet->cellCount();
-    const auto twice = [&](const Vec<2>& shift) {
+    const auto twice = [&](const Vec2& shift) {
         SimplicialMesh<2> both = *sheet;
         both.points.conservativeResize(2, 2 * vertices);
         both.points.rightCols(vertices) = sheet->points.colwise() + shift;
@@ -289,7 +289,7 @@ void TestMovingCells::partsAreDrawnSo() {
     };
     const MeshPtr drawn = twice({90, 50});
     Texture texture{twice({kSquares * kUnit + 32, 10}), {}, drawn, std::vector<Sheet>(2), {}, 640, 640};
-    Points<2> pose = drawn->points;
+    Points2 pose = drawn->points;
     for (Eigen::Index v = 0; v < pose.cols(); ++v) pose(0, v) += 15 * std::sin(0.01 * pose(1, v));
     RenderThread thread;
     std::shared_ptr<const RenderResult> result;

@@ -322,8 +322,7 @@ void TestParts::limbTurnsAtItsJoint() {
     int inside = 0;
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 80; ++x) {
-            const Vec<2> p =
-                Vec<2>(14, 20) + Eigen::Rotation2Dd(-0.7) * (Vec<2>(x + 0.5, y + 0.5) - Vec<2>(14, 20));
+            const Vec2 p = Vec2(14, 20) + Eigen::Rotation2Dd(-0.7) * (Vec2(x + 0.5, y + 0.5) - Vec2(14, 20));
             const double border = std::max({10 - p.x(), p.x() - 60, 14 - p.y(), p.y() - 26});
             if (std::abs(border) < 1.5) continue;
             inside += border < 0;
@@ -484,7 +483,7 @@ void TestParts::limbsHangOnSeams() {
     };
     const auto seam = seamOf(box(44, 10, 96, 44), sheet);
     QVERIFY(seam);
-    QVERIFY2((seam->middle - Vec<2>(44, 26)).norm() < 1, qPrintable(QString::number(seam->middle.y())));
+    QVERIFY2((seam->middle - Vec2(44, 26)).norm() < 1, qPrintable(QString::number(seam->middle.y())));
     QVERIFY(std::abs(seam->radius - 6) < 1);
     QVERIFY(!seamOf(box(5, 5, 30, 30), sheet));
     const Outline capped = withCap(box(44, 10, 96, 44), *seam);

@@ -33,7 +33,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// n[0] × n[1] × n[2] cubes from `low` to `high`, six tetrahedra each.
-SimplicialMesh<3> block(const Vec<3>& low, const Vec<3>& high, const std::array<int, 3>& n) {
+SimplicialMesh<3> block(const Vec3& low, const Vec3& high, const std::array<int, 3>& n) {
     SimplicialMesh<3> mesh;
     const auto id = [&](int x, int y, int z) { return (x * (n[1] + 1) + y) * (n[2] + 1) + z; };
     mesh.points.resize(3, id(n[0], n[1], n[2]) + 1);
@@ -41,8 +41,7 @@ SimplicialMesh<3> block(const Vec<3>& low, const Vec<3>& high, const std::array<
         for (int y = 0; y <= n[1]; ++y)
             for (int z = 0; z <= n[2]; ++z)
                 mesh.points.col(id(x, y, z)) =
-                    low +
-                    Vec<3>(double(x) / n[0], double(y) / n[1], double(z) / n[2]).cwiseProduct(high - low);
+                    low + Vec3(double(x) / n[0], double(y) / n[1], double(z) / n[2]).cwiseProduct(high - low);
     for (int x = 0; x < n[0]; ++x)
         for (int y = 0; y < n[1]; ++y)
             for (int z = 0; z < n[2]; ++z) {
@@ -93,19 +92,19 @@ PoseFaults<Dim> lookAt(const SimplicialMesh<Dim>& mesh, const Points<Dim>& pose)
 }
 
 /// The bar from −2 to 2 bent over `angle` into an arc that winds up, so that no two faces lie in a plane.
-Points<3> bent(const Points<3>& bar, double angle) {
+Points3 bent(const Points3& bar, double angle) {
     const double radius = 4 / angle;
-    return mapped<3>(bar, [&](const Vec<3>& p) {
+    return mapped<3>(bar, [&](const Vec3& p) {
         const double at = p.x() / radius, r = radius + p.y() + 0.011 * at;
         const double uneven = 0.003 * std::sin(37 * p.x() + 51 * p.y() + 43 * p.z());
-        return Vec<3>((r + uneven) * std::sin(at + uneven), (r + uneven) * std::cos(at + uneven),
-                      p.z() + 0.0137 * at + uneven);
+        return Vec3((r + uneven) * std::sin(at + uneven), (r + uneven) * std::cos(at + uneven),
+                    p.z() + 0.0137 * at + uneven);
     });
 }
 
-bool pierces(const Vec<3>& p, const Vec<3>& q, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
-    const auto side = [](const Vec<3>& o, const Vec<3>& u, const Vec<3>& v, const Vec<3>& w) {
-        Mat<3> m;
+bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto side = [](const Vec3& o, const Vec3& u, const Vec3& v, const Vec3& w) {
+        Mat3 m;
         m << u - o, v - o, w - o;
         return m.determinant() > 0;
     };
@@ -114,19 +113,19 @@ bool pierces(const Vec<3>& p, const Vec<3>& q, const Vec<3>& a, const Vec<3>& b,
     return turn == side(p, q, b, c) && turn == side(p, q, c, a);
 }
 
-bool piercesAny(const Points<3>& x, const std::array<int, 3>& s, const std::array<int, 3>& t) {
+bool piercesAny(const Points3& x, const std::array<int, 3>& s, const std::array<int, 3>& t) {
     for (int k = 0; k < 3; ++k)
         if (pierces(x.col(s[k]), x.col(s[(k + 1) % 3]), x.col(t[0]), x.col(t[1]), x.col(t[2]))) return true;
     return false;
 }
 
-bool meet(const Points<3>& x, const std::array<int, 3>& s, const std::array<int, 3>& t) {
+bool meet(const Points3& x, const std::array<int, 3>& s, const std::array<int, 3>& t) {
     return piercesAny(x, s, t) || piercesAny(x, t, s);
 }
 
-bool meet(const Points<2>& x, const std::array<int, 2>& s, const std::array<int, 2>& t) {
+bool meet(const Points2& x, const std::array<int, 2>& s, const std::array<int, 2>& t) {
     const auto left = [&](int a, int b, int p) {
-        const Vec<2> u = x.col(b) - x.col(a), v = x.col(p) - x.col(a);
+        const Vec2 u = x.col(b) - x.col(a), v = x.col(p) - x.col(a);
         return u.x() * v.y() > u.y() * v.x();
     };
     return left(s[0], s[1], t[0]) != left(s[0], s[1], t[1]) &&
@@ -155,7 +154,7 @@ SimplicialMesh<2> ribbon(int n) {
     mesh.points.resize(2, 2 * (n + 1));
     for (int i = 0; i <= n; ++i)
         for (int side = 0; side < 2; ++side)
-            mesh.points.col(2 * i + side) = Vec<2>(4.0 * i / n - 2, 0.2 * side);
+            mesh.points.col(2 * i + side) = Vec2(4.0 * i / n - 2, 0.2 * side);
     for (int i = 0; i < n; ++i) {
         mesh.cells.push_back({2 * i, 2 * i + 2, 2 * i + 3});
         mesh.cells.push_back({2 * i, 2 * i + 3, 2 * i + 1});
@@ -163,11 +162,11 @@ SimplicialMesh<2> ribbon(int n) {
     return mesh;
 }
 
-Points<2> looped(const Points<2>& ribbon) {
-    return mapped<2>(ribbon, [](const Vec<2>& p) {
+Points2 looped(const Points2& ribbon) {
+    return mapped<2>(ribbon, [](const Vec2& p) {
         const double t = p.x();
-        const Vec<2> along = Vec<2>(3 * t * t - 3, 2 * t).normalized();
-        return Vec<2>(Vec<2>(t * t * t - 3 * t, t * t) + (p.y() - 0.1) * Vec<2>(-along.y(), along.x()));
+        const Vec2 along = Vec2(3 * t * t - 3, 2 * t).normalized();
+        return Vec2(Vec2(t * t * t - 3 * t, t * t) + (p.y() - 0.1) * Vec2(-along.y(), along.x()));
     });
 }
 
@@ -185,14 +184,14 @@ void TestPoseFaults::bentBar() {
     QFETCH(double, degrees);
     QFETCH(int, places);
     const auto bar = block({-2, -0.2, -0.2}, {2, 0.2, 0.2}, {30, 3, 3});
-    const Points<3> pose = bent(bar.points, degrees * kPi / 180);
+    const Points3 pose = bent(bar.points, degrees * kPi / 180);
     const auto faults = lookAt<3>(bar, pose);
     QCOMPARE(static_cast<int>(faults.crossings.size()), places);
     QCOMPARE(faults.pairs(), pairsByHand<3>(bar, pose));
     QCOMPARE(faults.pairs() > 0, places > 0);
     for (const auto& place : faults.crossings) {
         // Both ends are near the bottom of the circle, a radius below its middle.
-        QVERIFY((place.at - Vec<3>(0, -4 / (degrees * kPi / 180), 0)).norm() < 0.5);
+        QVERIFY((place.at - Vec3(0, -4 / (degrees * kPi / 180), 0)).norm() < 0.5);
         QVERIFY(std::ranges::is_sorted(place.members));
     }
     QVERIFY(faults.blown.empty());
@@ -203,16 +202,16 @@ void TestPoseFaults::slabsInEachOther() {
     const auto slab = block({0, 0, 0}, {8, 3, 1}, {8, 3, 1}), small = block({1, 1, 2}, {2, 2, 3}, {2, 2, 2}),
                large = block({4, 0.5, 2}, {7, 2.5, 3}, {6, 4, 2});
     const SimplicialMesh<3> all = both<3>(both<3>(slab, small), large);
-    Points<3> pose = all.points;
+    Points3 pose = all.points;
     QCOMPARE(lookAt<3>(all, pose).pairs(), 0);
     const auto lower = [&](int from, int count) {
-        pose.middleCols(from, count).colwise() += Vec<3>(0.013, 0.021, -1.47);
+        pose.middleCols(from, count).colwise() += Vec3(0.013, 0.021, -1.47);
     };
     lower(slab.vertexCount(), small.vertexCount());
     const auto one = lookAt<3>(all, pose);
     QCOMPARE(one.crossings.size(), std::size_t(1));
     QCOMPARE(one.pairs(), pairsByHand<3>(all, pose));
-    QVERIFY((one.crossings[0].at - Vec<3>(1.5, 1.5, 1)).norm() < 1);
+    QVERIFY((one.crossings[0].at - Vec3(1.5, 1.5, 1)).norm() < 1);
     lower(slab.vertexCount() + small.vertexCount(), large.vertexCount());
     const auto two = lookAt<3>(all, pose);
     QCOMPARE(two.crossings.size(), std::size_t(2));
@@ -228,7 +227,7 @@ void TestPoseFaults::whatMetAtRestIsNoNews() {
         const auto pile =
             both<3>(block({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), block({0, 0, 1}, {1, 1, 2}, {n, n, n}));
         QCOMPARE(lookAt<3>(pile, pile.points).pairs(), 0);
-        const Points<3> moved = mapped<3>(pile.points, [](const Vec<3>& p) { return Vec<3>(4 * p); });
+        const Points3 moved = mapped<3>(pile.points, [](const Vec3& p) { return Vec3(4 * p); });
         QCOMPARE(lookAt<3>(pile, moved).pairs(), 0);
     }
 }
@@ -242,7 +241,7 @@ void TestPoseFaults::surfaceInACage() {
     shape.embedding = std::make_shared<const Embedding<3>>(cage, shape.skin->points);
     shape.cage = CageFacts{};
     // Once around, the cage meets itself, the bar in it does not.
-    const Points<3> once = bent(cage.points, 340 * kPi / 180), more = bent(cage.points, 400 * kPi / 180);
+    const Points3 once = bent(cage.points, 340 * kPi / 180), more = bent(cage.points, 400 * kPi / 180);
     QVERIFY(pairsByHand<3>(cage, once) > 0);
     QCOMPARE(faultsOf<3>(shape, once).pairs(), 0);
     const auto faults = faultsOf<3>(shape, more);
@@ -254,14 +253,14 @@ void TestPoseFaults::surfaceInACage() {
 void TestPoseFaults::ribbonCrossesItself() {
     for (const int n : {60, 150}) {
         const auto band = ribbon(n);
-        const Points<2> pose = looped(band.points);
+        const Points2 pose = looped(band.points);
         const auto faults = lookAt<2>(band, pose);
         QCOMPARE(pairsByHand<2>(band, pose), 4);
         QCOMPARE(faults.pairs(), 4);
         QCOMPARE(faults.crossings.size(), std::size_t(4));
         // The corners of a rhombus 0.2 high whose angles are 60° and 120°: 0.2 and 0.2/√3 from its middle.
         std::vector<double> away;
-        for (const auto& place : faults.crossings) away.push_back((place.at - Vec<2>(0, 3)).norm());
+        for (const auto& place : faults.crossings) away.push_back((place.at - Vec2(0, 3)).norm());
         std::ranges::sort(away);
         const double near = 0.2 / std::sqrt(3.0);
         for (int k = 0; k < 4; ++k)
@@ -289,9 +288,9 @@ void TestPoseFaults::blownUp() {
     QFETCH(int, slices);
     QFETCH(double, worst);
     const auto bar = block({0, 0, 0}, {10, 1, 1}, {10, 2, 2});
-    const Points<3> pose = mapped<3>(bar.points, [&](const Vec<3>& p) {
+    const Points3 pose = mapped<3>(bar.points, [&](const Vec3& p) {
         const auto within = [&](double from) { return std::clamp(p.x() - from, 0.0, 1.0); };
-        return Vec<3>(p.x() + (one - 1) * within(2) + (other - 1) * within(7), p.y(), p.z());
+        return Vec3(p.x() + (one - 1) * within(2) + (other - 1) * within(7), p.y(), p.z());
     });
     const auto faults = lookAt<3>(bar, pose);
     QCOMPARE(static_cast<int>(faults.blown.size()), slices);
@@ -300,7 +299,7 @@ void TestPoseFaults::blownUp() {
     QVERIFY(std::abs(faults.blown.front().ratio - worst) < 1e-9);
     const int cell = faults.blown.front().worstCell;
     QCOMPARE(cell / 24, worst == other ? 7 : 2);
-    Vec<3> middle = Vec<3>::Zero();
+    Vec3 middle = Vec3::Zero();
     for (const int v : bar.cells[cell]) middle += pose.col(v) / 4;
     QVERIFY((faults.blown.front().at - middle).norm() < 1e-12);
 }
@@ -334,7 +333,7 @@ void TestPoseFaults::time() {
     Shape<3> shape = shapeOf(bar);
     shape.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf<3>(bar));
     for (const double degrees : {90.0, 385.0}) {
-        const Points<3> pose = bent(bar.points, degrees * kPi / 180);
+        const Points3 pose = bent(bar.points, degrees * kPi / 180);
         QElapsedTimer clock;
         clock.start();
         const auto faults = faultsOf<3>(shape, pose);

@@ -293,8 +293,8 @@ void TestRig::longestOutlineComesFirst() {
     const RigPart& part = rig.parts[0];
     QCOMPARE(part.hull, 4);
     for (int k = 0; k < 4; ++k) {
-        const Vec<2> from = mesh.points.col(part.vertices[static_cast<std::size_t>(k)]),
-                     to = mesh.points.col(part.vertices[static_cast<std::size_t>((k + 1) % 4)]);
+        const Vec2 from = mesh.points.col(part.vertices[static_cast<std::size_t>(k)]),
+                   to = mesh.points.col(part.vertices[static_cast<std::size_t>((k + 1) % 4)]);
         QCOMPARE((to - from).norm(), 6.0);
     }
 }

@@ -26,8 +26,8 @@ std::shared_ptr<Project> parsed(const std::string& rest, const std::string& fold
     return parseProject(json("{'format': 'wend', 'version': 1, " + rest + "}"), folder + "/p.wend").project;
 }
 
-Vec<2> centroid(const SimplicialMesh<2>& mesh, int cell) {
-    Vec<2> sum = Vec<2>::Zero();
+Vec2 centroid(const SimplicialMesh<2>& mesh, int cell) {
+    Vec2 sum = Vec2::Zero();
     for (int v : mesh.cells[cell]) sum += mesh.points.col(v);
     return sum / 3;
 }
@@ -63,11 +63,11 @@ class TestShape : public QObject {
             "{'at': {'points': [[111, 111]]}, 'active': [0.5, 1]}, {'at': {'points': [[1, 1]]}}]",
             m_base);
         const auto shape = std::get<Shape<2>>(loadShape(*project, m_base));
-        QCOMPARE(shape.rest->points.col(0), Vec<2>(100.25, 90.5));
-        QCOMPARE(shape.rest->points.col(1), Vec<2>(60, 100));
-        QCOMPARE(shape.rest->points.col(2), Vec<2>(120, 130));
+        QCOMPARE(shape.rest->points.col(0), Vec2(100.25, 90.5));
+        QCOMPARE(shape.rest->points.col(1), Vec2(60, 100));
+        QCOMPARE(shape.rest->points.col(2), Vec2(120, 130));
         for (int i = 0; i < shape.rest->vertexCount(); ++i)
-            QVERIFY((shape.rest->points.col(i) - Vec<2>(111, 111)).norm() > 1e-6);
+            QVERIFY((shape.rest->points.col(i) - Vec2(111, 111)).norm() > 1e-6);
         QCOMPARE(heldHandles(*project, shape).size(), std::size_t(4));
     }
 
@@ -99,7 +99,7 @@ class TestShape : public QObject {
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
-            const Vec<2> p = centroid(mesh, c);
+            const Vec2 p = centroid(mesh, c);
             const double expected = p.y() > 3 ? 0.5 : 1 + p.x() / 4;
             QVERIFY(std::abs(material->phi[c] - expected) < 1e-14);
         }
@@ -131,7 +131,7 @@ class TestShape : public QObject {
         const SimplicialMesh<2> mesh = grid(4);
         const auto material = rasterizeMaterial<2>(spec, mesh);
         for (int c = 0; c < mesh.cellCount(); ++c) {
-            const Mat<2> expected = Vec<2>(1, 1 + 8 * centroid(mesh, c).x() / 4).asDiagonal();
+            const Mat2 expected = Vec2(1, 1 + 8 * centroid(mesh, c).x() / 4).asDiagonal();
             QVERIFY((material->anisotropy[c] - expected).norm() < 1e-14);
         }
         requireValid(*material, mesh.cellCount());
@@ -147,7 +147,7 @@ class TestShape : public QObject {
         spec.cellPhi.push_back(1);
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
         spec.cellPhi.clear();
-        spec.cellB = {Mat<3>::Identity()};
+        spec.cellB = {Mat3::Identity()};
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
     }
 
@@ -158,7 +158,7 @@ class TestShape : public QObject {
         Eigen::Matrix2Xd uv = rest->points / 4;  // y up, as v
         const Texture texture = textureOf(*picture, rest, uv);
         for (int i = 0; i < rest->vertexCount(); ++i) {
-            const Vec<2> expected(50 * rest->points(0, i), 200 - 50 * rest->points(1, i));
+            const Vec2 expected(50 * rest->points(0, i), 200 - 50 * rest->points(1, i));
             QVERIFY((texture.rest->points.col(i) - expected).norm() < 1e-11);
         }
         QVERIFY((texture.toPixels(rest->points) - texture.rest->points).norm() < 1e-9);
@@ -177,18 +177,18 @@ class TestShape : public QObject {
 
     void canvas() {
         const std::array<int, 2> picture{200, 200};
-        Points<2> pose(2, 3);
+        Points2 pose(2, 3);
         pose << -10.5, 220.25, 5, 3, 4, 90;
         const auto extent = extentOf<2>(pose, {{0, 1, 2}});
         QCOMPARE(canvasView(picture, extent, Canvas::Picture).width, 200);
         const View fit = canvasView(picture, extent, Canvas::Fit);
-        QCOMPARE(fit.origin, Vec<2>(-11, 3));
+        QCOMPARE(fit.origin, Vec2(-11, 3));
         QCOMPARE(fit.width, 232);
         QCOMPARE(fit.height, 87);
         CanvasChoice part(Canvas::Part);
         part.part = {-5, 7, 30, 20};
         const View kept = canvasView(picture, extent, part);
-        QVERIFY(kept.origin == Vec<2>(-5, 7) && kept.width == 30 && kept.height == 20 && kept.scale == 1);
+        QVERIFY(kept.origin == Vec2(-5, 7) && kept.width == 30 && kept.height == 20 && kept.scale == 1);
         part.part = {0, 0, 400'000, 400'000};
         QVERIFY_THROWS_EXCEPTION(InputError, canvasView(picture, extent, part));
         for (const double far : {2.1e4, 2e6, 1e200}) {  // more than 400 million pixels

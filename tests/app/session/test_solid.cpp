@@ -67,7 +67,7 @@ namespace {
 
 const Surface kBar = test::box({0, 0, 0}, {3, 1, 1}, 7);
 
-int countNear(const SimplicialMesh<3>& mesh, const Vec<3>& p, double radius) {
+int countNear(const SimplicialMesh<3>& mesh, const Vec3& p, double radius) {
     return static_cast<int>(((mesh.points.colwise() - p).colwise().norm().array() < radius).count());
 }
 
@@ -92,7 +92,7 @@ void TestSolid::surfaceBecomesSolid() {
     QVERIFY(bar.rest->points.leftCols(kBar.vertexCount()) == kBar.points);
     QVERIFY(bar.skin->triangles == kBar.triangles);
     // the surface's vertices are the solid's, in every pose and to the last bit
-    const Points<3> pose = 1.7 * bar.rest->points;
+    const Points3 pose = 1.7 * bar.rest->points;
     QVERIFY(bar.embedding->carry(*bar.rest, pose) == pose.leftCols(kBar.vertexCount()));
     QVERIFY(bar.notices.empty());
     const auto any = loadShape(*project("'surface': 'bar.obj', 'vertices': 700"), m_base);
@@ -229,9 +229,9 @@ void TestSolid::cageCarriesTheSurface() {
         QVERIFY(one.cage && one.cage->why.isEmpty());
         QCOMPARE(one.embedding->outside(), 0);
         QVERIFY(one.embedding->carry(*one.rest, one.rest->points) == one.skin->points);
-        Mat<3> A;
+        Mat3 A;
         A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
-        const Points<3> carried = one.embedding->carry(*one.rest, A * one.rest->points);
+        const Points3 carried = one.embedding->carry(*one.rest, A * one.rest->points);
         QVERIFY((carried - A * one.skin->points).cwiseAbs().maxCoeff() < 1e-12);
         QVERIFY(one.skin->triangles == trianglesOf(*sharedMeshFile(m_base + "/" + file)));
     }
@@ -326,7 +326,7 @@ void TestSolid::handlesByNumberKeepTheSurface() {
 }
 
 void TestSolid::sizesFollowRegionsAndPaint() {
-    const Vec<3> here(0.7, 0.5, 0.5), there(2.3, 0.5, 0.5);
+    const Vec3 here(0.7, 0.5, 0.5), there(2.3, 0.5, 0.5);
     const std::string region =
         "{'shape': {'sphere': {'centre': [0.7, 0.5, 0.5], 'radius': 0.4}}, 'factor': 0.4, 'feather': 0.1}";
     const Shape<3> byRegion = solid("'surface': 'bar.obj', 'vertices': 1500, 'sizes': [" + region + "]");
@@ -352,9 +352,9 @@ void TestSolid::wrongPaintIsRefused() {
 void TestSolid::detailRides() {
     const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 400, 'detail': 'fine.ply'");
     QCOMPARE(bar.skin->vertexCount(), test::box({0, 0, 0}, {1, 1, 1}, 20).vertexCount());
-    Mat<3> A;
+    Mat3 A;
     A << 1, 0.2, 0, -0.3, 1.1, 0, 0.1, 0, 0.9;
-    const Points<3> carried = bar.embedding->carry(*bar.rest, A * bar.rest->points);
+    const Points3 carried = bar.embedding->carry(*bar.rest, A * bar.rest->points);
     QVERIFY((carried - A * bar.skin->points).cwiseAbs().maxCoeff() < 1e-12);  // inside and outside
     QVERIFY(bar.embedding->outside() > 0);
 }

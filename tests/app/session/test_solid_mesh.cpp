@@ -149,7 +149,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
 /// Without a map, and on a cut.
 void TestSolidMesh::pointedCellTellsItsShape() {
     m_f->tool("measure")->trigger();
-    const auto pointed = [this](const Vec<3>& p) {
+    const auto pointed = [this](const Vec3& p) {
         const QPoint at = m_f->at(p);
         QTest::mouseMove(&m_f->canvas(), at + QPoint(3, 0));
         QTest::mouseMove(&m_f->canvas(), at);

@@ -258,7 +258,7 @@ void TestTrackTools::posesOfASolid() {
     for (const double x : {-1.5, 1.5}) {
         Pin handle;
         handle.name = x < 0 ? "left" : "right";
-        handle.at = std::vector<Vec<3>>{{x, 0, 0}};
+        handle.at = std::vector<Vec3>{{x, 0, 0}};
         if (x > 0) handle.motions = {{Translate<3>{{0, 0, 0.8}}, 0, 1}};
         designOf(*next).handles.push_back(handle);
     }

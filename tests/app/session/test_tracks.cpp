@@ -70,7 +70,7 @@ class TestTracks : public QObject {
     void drag(QWidget& widget, const QPoint& from, const QPoint& by, Qt::KeyboardModifiers modifiers = {});
     QAction* menuEntry(QWidget& at, const QPoint& place, const QString& text);
     void show(double time);
-    Vec<2> placeAt(int handle, double time);
+    Vec2 placeAt(int handle, double time);
 
     std::unique_ptr<SolidFixture> m_window;
 };
@@ -135,8 +135,8 @@ QAction* TestTracks::menuEntry(QWidget& at, const QPoint& place, const QString& 
 }
 
 /// By the sum of straight motions.
-Vec<2> TestTracks::placeAt(int handle, double time) {
-    Vec<2> place = Vec<2>::Zero();
+Vec2 TestTracks::placeAt(int handle, double time) {
+    Vec2 place = Vec2::Zero();
     for (const PinMotion& motion : motions(handle))
         place += std::clamp((time - motion.start) / (motion.end - motion.start), 0.0, 1.0) *
                  inPlane(std::get<Translate<3>>(motion.kind).by);
@@ -180,7 +180,7 @@ void TestTracks::severalKeysGoTogether() {
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QCOMPARE(keys(0), (std::vector<double>{0, 2}));
     QCOMPARE(keys(1).size(), 2U);
-    QVERIFY((placeAt(0, 2) - Vec<2>(5, 10)).norm() < 1e-12);
+    QVERIFY((placeAt(0, 2) - Vec2(5, 10)).norm() < 1e-12);
 }
 
 void TestTracks::framesChooseKeys() {
@@ -215,8 +215,8 @@ void TestTracks::keysAreCopiedToTheTimeShown() {
     QCOMPARE(undo().count(), steps + 1);
     QCOMPARE(keys(0), (std::vector<double>{0, 1, 2, 3.5, 4.5}));
     QCOMPARE(endOf(project()), 4.5);
-    QVERIFY((placeAt(0, 3.5) - Vec<2>(0, 10)).norm() < 1e-9);
-    QVERIFY((placeAt(0, 4.5) - Vec<2>(5, 10)).norm() < 1e-9);
+    QVERIFY((placeAt(0, 3.5) - Vec2(0, 10)).norm() < 1e-9);
+    QVERIFY((placeAt(0, 4.5) - Vec2(5, 10)).norm() < 1e-9);
     QVERIFY(settle(session()));
     QVERIFY((session().gestures().pins()[0].centre - Vec3(40, 90, 0)).norm() <
             1e-6);  // the shape is there, too
@@ -233,7 +233,7 @@ void TestTracks::keysAreCopiedToAnotherPin() {
     show(2.5);
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(keys(2), (std::vector<double>{0, 2.5}));
-    QVERIFY((placeAt(2, 2.5) - Vec<2>(0, 10)).norm() < 1e-9);
+    QVERIFY((placeAt(2, 2.5) - Vec2(0, 10)).norm() < 1e-9);
     QSignalSpy notices(&session().document(), &Document::notice);
     show(0);
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);  // at rest nothing can be posed
@@ -245,19 +245,19 @@ void TestTracks::keysAreMirrored() {
     QAction* mirror = menuEntry(*tracks().viewport(), spot(0, 2), QStringLiteral("Mirror"));
     QVERIFY(mirror);
     mirror->trigger();
-    QVERIFY((placeAt(1, 2) - Vec<2>(-5, 10)).norm() < 1e-9);  // the right pin has the image
-    QVERIFY((placeAt(0, 2) - Vec<2>(5, 10)).norm() < 1e-9);
+    QVERIFY((placeAt(1, 2) - Vec2(-5, 10)).norm() < 1e-9);  // the right pin has the image
+    QVERIFY((placeAt(0, 2) - Vec2(5, 10)).norm() < 1e-9);
     undo().undo();
     click(0, 2);
     click(1, 2, Qt::ShiftModifier);  // both: they change roles
     menuEntry(*tracks().viewport(), spot(0, 2), QStringLiteral("Mirror"))->trigger();
-    QVERIFY((placeAt(1, 2) - Vec<2>(-5, 10)).norm() < 1e-9);
-    QVERIFY((placeAt(0, 2) - Vec<2>(0, -6)).norm() < 1e-9);
+    QVERIFY((placeAt(1, 2) - Vec2(-5, 10)).norm() < 1e-9);
+    QVERIFY((placeAt(0, 2) - Vec2(0, -6)).norm() < 1e-9);
     QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
     show(4);
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY((placeAt(0, 4) - Vec<2>(5, 10)).norm() < 1e-9);  // mirrored twice
-    QVERIFY((placeAt(1, 4) - Vec<2>(0, -6)).norm() < 1e-9);
+    QVERIFY((placeAt(0, 4) - Vec2(5, 10)).norm() < 1e-9);  // mirrored twice
+    QVERIFY((placeAt(1, 4) - Vec2(0, -6)).norm() < 1e-9);
 }
 
 /// The left and the right pin are each other's images, and the middle one is its own.
@@ -381,7 +381,7 @@ void TestTracks::menuOfABarSimplifies() {
     QVERIFY(settle(session()));
     entry("Straighten")->trigger();
     QCOMPARE(motions(2).size(), 1U);
-    QVERIFY((placeAt(2, 1.5) - Vec<2>(15, 15)).norm() < 1e-9);
+    QVERIFY((placeAt(2, 1.5) - Vec2(15, 15)).norm() < 1e-9);
 }
 
 /// A second drag of the same pin at the end corrects the move; with Keep the Path it goes on.
@@ -428,11 +428,11 @@ void TestTracks::filmIsMadeOfPoses() {
     pose(3, {0, -40});
     pose(3.5, {0, 10});
     QCOMPARE(keys(2), (std::vector<double>{0, 1, 3, 3.5}));
-    const Vec<2> before = placeAt(2, 1), after = placeAt(2, 3);
+    const Vec2 before = placeAt(2, 1), after = placeAt(2, 3);
     pose(2, {30, 0});
     QCOMPARE(keys(2), (std::vector<double>{0, 1, 2, 3, 3.5}));
     QVERIFY((placeAt(2, 1) - before).norm() < 1e-9 && (placeAt(2, 3) - after).norm() < 1e-9);
-    const Vec<2> between = placeAt(2, 2);
+    const Vec2 between = placeAt(2, 2);
     drag(*tracks().viewport(), spot(2, 2), {int(0.4 * tracks().scale().pixelsOf(1)), 0});
     const double moved = keys(2)[2];
     QVERIFY(std::abs(moved - 2.4) <= 2 * pixel() && (placeAt(2, moved) - between).norm() < 1e-9);
@@ -441,7 +441,7 @@ void TestTracks::filmIsMadeOfPoses() {
     QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
     show(4);
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);  // it is in the middle
-    QVERIFY((placeAt(2, 4) - Vec<2>(-between.x(), between.y())).norm() < 1e-9);
+    QVERIFY((placeAt(2, 4) - Vec2(-between.x(), between.y())).norm() < 1e-9);
     QTest::keyClick(&tracks(), Qt::Key_O);
     QVERIFY(settle(session()) && marks().cycle);
     QTemporaryDir folder;

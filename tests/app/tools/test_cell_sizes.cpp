@@ -80,7 +80,7 @@ double TestCellSizes::meanSize(bool right) {
     double sum = 0;
     int count = 0;
     for (std::size_t c = 0; c < sizes.size(); ++c) {
-        Vec<3> middle = Vec<3>::Zero();
+        Vec3 middle = Vec3::Zero();
         for (const int v : frame->rest->cells[c]) middle += frame->rest->points.col(v) / 4;
         if ((right ? middle.x() : -middle.x()) < 1 || middle.y() > -0.2) continue;
         sum += sizes[c];
@@ -110,7 +110,7 @@ void TestCellSizes::strokesAreLayers() {
 /// The edge of a regular tetrahedron is its size.
 void TestCellSizes::sizeOfRegularCells() {
     auto rest = std::make_shared<SimplicialMesh<3>>();
-    rest->points = Points<3>(3, 4);
+    rest->points = Points3(3, 4);
     rest->points << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
     rest->cells = {{0, 1, 2, 3}};
     PosedFrame<3> frame;

@@ -55,8 +55,8 @@ const QPointF kHand(126, 41);
 constexpr double kHandRadius = 31;
 constexpr double kLimb = 0.5;  // where nothing else is said, the arm lies over the body
 
-std::vector<Vec<2>> pointsOf(const QPolygonF& polygon) {
-    std::vector<Vec<2>> points;
+std::vector<Vec2> pointsOf(const QPolygonF& polygon) {
+    std::vector<Vec2> points;
     for (const QPointF& p : polygon) points.emplace_back(p.x(), p.y());
     return points;
 }
@@ -94,21 +94,21 @@ class Composition {
         return sum;
     }
     /// Where the nearest cell has the pixel's centre from.
-    std::optional<Vec<2>> nearestSource(int x, int y) const {
+    std::optional<Vec2> nearestSource(int x, int y) const {
         for (const int cell : cellsNear(x, y))
             if (covers(cell, {x + 0.5, y + 0.5})) return sourceOf(cell, {x + 0.5, y + 0.5});
         return {};
     }
 
   private:
-    Vec<2> corner(const Points<2>& points, int cell, int k) const {
+    Vec2 corner(const Points2& points, int cell, int k) const {
         return points.col(m_frame.rest->cells[static_cast<std::size_t>(cell)][static_cast<std::size_t>(k)]);
     }
     /// From the nearest down: of greater order, then of greater number.
     std::vector<int> cellsNear(int x, int y) const {
         std::vector<int> near;
         for (int cell = m_frame.rest->cellCount(); cell-- > 0;) {
-            Vec<2> low = corner(m_frame.pose, cell, 0), high = low;
+            Vec2 low = corner(m_frame.pose, cell, 0), high = low;
             for (int k = 1; k < 3; ++k) {
                 low = low.cwiseMin(corner(m_frame.pose, cell, k));
                 high = high.cwiseMax(corner(m_frame.pose, cell, k));
@@ -120,22 +120,22 @@ class Composition {
         });
         return near;
     }
-    Vec<2> weights(int cell, const Vec<2>& p) const {
-        const Vec<2> a = corner(m_frame.pose, cell, 0), u = corner(m_frame.pose, cell, 1) - a,
-                     v = corner(m_frame.pose, cell, 2) - a, w = p - a;
+    Vec2 weights(int cell, const Vec2& p) const {
+        const Vec2 a = corner(m_frame.pose, cell, 0), u = corner(m_frame.pose, cell, 1) - a,
+                   v = corner(m_frame.pose, cell, 2) - a, w = p - a;
         const double area = u.x() * v.y() - u.y() * v.x();
         return {(w.x() * v.y() - w.y() * v.x()) / area, (u.x() * w.y() - u.y() * w.x()) / area};
     }
-    bool covers(int cell, const Vec<2>& p) const {
-        const Vec<2> w = weights(cell, p);
+    bool covers(int cell, const Vec2& p) const {
+        const Vec2 w = weights(cell, p);
         return w.x() >= 0 && w.y() >= 0 && w.x() + w.y() <= 1;
     }
-    Vec<2> sourceOf(int cell, const Vec<2>& p) const {
-        const Points<2>& rest = m_frame.rest->points;
-        const Vec<2> w = weights(cell, p), a = corner(rest, cell, 0);
+    Vec2 sourceOf(int cell, const Vec2& p) const {
+        const Points2& rest = m_frame.rest->points;
+        const Vec2 w = weights(cell, p), a = corner(rest, cell, 0);
         return a + w.x() * (corner(rest, cell, 1) - a) + w.y() * (corner(rest, cell, 2) - a);
     }
-    std::optional<Colour> plainColour(const Vec<2>& p) const {
+    std::optional<Colour> plainColour(const Vec2& p) const {
         const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
         std::optional<QRgb> all;
         for (int j = y - 4; j <= y + 4; ++j)
@@ -154,12 +154,12 @@ class Composition {
 };
 
 /// All that a point of the pose lies in.
-std::vector<int> cellsAt(const PosedFrame<2>& frame, const Vec<2>& p) {
+std::vector<int> cellsAt(const PosedFrame<2>& frame, const Vec2& p) {
     std::vector<int> cells;
     for (int c = 0; c < frame.rest->cellCount(); ++c) {
         const Cell<2>& cell = frame.rest->cells[c];
         const auto side = [&](int k) {
-            const Vec<2> a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
+            const Vec2 a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
             return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
         };
         if ((side(0) > 0) == (side(1) > 0) && (side(1) > 0) == (side(2) > 0)) cells.push_back(c);
@@ -324,7 +324,7 @@ void TestDepth::mapTells(const QString& path, const Composition& expected) {
             const auto source = expected.nearestSource(x, y);
             if (!source || pixel[3] < 1) continue;
             ++compared;
-            const Vec<2> told(kWidth * double(pixel[0]), kHeight * (1 - double(pixel[1])));
+            const Vec2 told(kWidth * double(pixel[0]), kHeight * (1 - double(pixel[1])));
             off += (told - *source).norm() > 0.05 ? 1 : 0;
         }
     QVERIFY(compared > 15000);
@@ -391,7 +391,7 @@ void TestDepth::brushed() {
     m_canvas.viewport().set(&Looks::hidden, false);
     m_canvas.viewport().setTool(&tool);
     QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
-    const auto orderAt = [&](const Vec<2>& p) {
+    const auto orderAt = [&](const Vec2& p) {
         double found = 0;
         for (const ValueLayer& layer : m_session.document().project()->depth)
             for (const SoftRegion& region : layer.regions)
@@ -432,8 +432,8 @@ void TestDepth::whatIsSeenIsTouched() {
         setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.gestures().pins()[0].centre));
         QVERIFY(touch);
-        const Vec<2> rest = inPlane(m_session.motion().frame()->restAt(touch->place));
-        QCOMPARE((rest - Vec<2>(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
+        const Vec2 rest = inPlane(m_session.motion().frame()->restAt(touch->place));
+        QCOMPARE((rest - Vec2(kHand.x(), kHand.y())).norm() < kHandRadius, order > 0);
     }
 }
 
@@ -441,12 +441,12 @@ void TestDepth::whatIsSeenIsTouched() {
 void TestDepth::pinsInFrontArePicked() {
     setDepth({});
     const auto before = m_session.motion().frame<2>();
-    const Vec<2> hand = inPlane(m_session.gestures().pins()[0].centre);
-    std::optional<Vec<2>> below;
-    for (const int cell : cellsAt(*before, hand + Vec<2>(4, 0))) {
-        const auto place = locationIn<2>(*before, cell, hand + Vec<2>(4, 0));
-        const Vec<2> rest = positionOf<2>(place, *before->rest, before->rest->points);
-        if ((rest - Vec<2>(kHand.x(), kHand.y())).norm() > kHandRadius) below = rest;
+    const Vec2 hand = inPlane(m_session.gestures().pins()[0].centre);
+    std::optional<Vec2> below;
+    for (const int cell : cellsAt(*before, hand + Vec2(4, 0))) {
+        const auto place = locationIn<2>(*before, cell, hand + Vec2(4, 0));
+        const Vec2 rest = positionOf<2>(place, *before->rest, before->rest->points);
+        if ((rest - Vec2(kHand.x(), kHand.y())).norm() > kHandRadius) below = rest;
     }
     QVERIFY(below);
     const int steps = m_session.document().undoStack()->count();
@@ -465,7 +465,7 @@ void TestDepth::pinsInFrontArePicked() {
         }
         // Beside the one that is seen, the other is within reach alone.
         const int other = order > 0 ? body : 0;
-        QCOMPARE(tool.handleAt(m_canvas.toWidget(hand + Vec<2>(order > 0 ? 10 : -6, 0))), other);
+        QCOMPARE(tool.handleAt(m_canvas.toWidget(hand + Vec2(order > 0 ? 10 : -6, 0))), other);
     }
     m_session.document().undoStack()->setIndex(steps);
     QVERIFY(settle(m_session));
@@ -507,7 +507,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
         QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
         const QImage& seen = m_canvas.shape().drawn()->image;
         const auto isArm = [&](int cell) {
-            Vec<2> centre = Vec<2>::Zero();
+            Vec2 centre = Vec2::Zero();
             for (const int v : frame->rest->cells[cell]) centre += frame->rest->points.col(v) / 3;
             return kArm.containsPoint({centre.x(), centre.y()}, Qt::OddEvenFill);
         };
@@ -521,7 +521,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
                 // The outline's pixels have something of both.
                 if (!lieOver(x, y) || !lieOver(x + 1, y) || !lieOver(x, y + 1) || !lieOver(x + 1, y + 1))
                     continue;
-                const Vec<2> p = m_canvas.toShape(QPointF(x + 0.5, y + 0.5) / seen.devicePixelRatio());
+                const Vec2 p = m_canvas.toShape(QPointF(x + 0.5, y + 0.5) / seen.devicePixelRatio());
                 const std::vector<int> cells = cellsAt(*frame, p);
                 if (cells.size() != 2 || isArm(cells[0]) == isArm(cells[1])) continue;
                 const int arm = isArm(cells[0]) ? 0 : 1;
@@ -564,7 +564,7 @@ void TestDepth::pinsBringTheirPart() {
     project = with(project, {0, 1}, 0);
     QVERIFY(project.depth.empty());
     // Of two pins close to each other either takes no more than the half between them.
-    const Project near = with(withPin(project, Vec<2>(146, 41), "near"), {0}, 1);
+    const Project near = with(withPin(project, Vec2(146, 41), "near"), {0}, 1);
     QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {134, 41}) < 0);
     QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {137, 41}) > 0);
 }

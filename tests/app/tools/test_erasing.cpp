@@ -249,9 +249,9 @@ void TestErasing::linesGoRoundWhatIsErased() {
     layer[1].leaves = 0;
     int paint = 0, erased = 0, again = 0;
     for (const auto& line : linesOf(layer, rest).border)
-        for (const Vec<2>& p : line) {
-            const double a = (p - Vec<2>(50, 50)).norm() - 30, b = (p - Vec<2>(80, 50)).norm() - 10,
-                         c = (p - Vec<2>(70, 50)).norm() - 4;
+        for (const Vec2& p : line) {
+            const double a = (p - Vec2(50, 50)).norm() - 30, b = (p - Vec2(80, 50)).norm() - 10,
+                         c = (p - Vec2(70, 50)).norm() - 4;
             const bool onPaint = std::abs(a) < 1e-6 && b > -1e-6, onEraser = std::abs(b) < 1e-6 && a < 1e-6;
             QVERIFY((onPaint || onEraser || std::abs(c) < 1e-6) && c > -1e-6);
             paint += onPaint, erased += onEraser;

@@ -36,7 +36,7 @@ std::shared_ptr<const SimplicialMesh<2>> square() {
     mesh->points.resize(2, (kSide + 1) * (kSide + 1));
     const auto at = [](int x, int y) { return y * (kSide + 1) + x; };
     for (int y = 0; y <= kSide; ++y)
-        for (int x = 0; x <= kSide; ++x) mesh->points.col(at(x, y)) = Vec<2>(10.0 * x, 10.0 * y);
+        for (int x = 0; x <= kSide; ++x) mesh->points.col(at(x, y)) = Vec2(10.0 * x, 10.0 * y);
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             mesh->cells.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
@@ -46,20 +46,20 @@ std::shared_ptr<const SimplicialMesh<2>> square() {
 }
 
 /// Turned about its middle, which comes to that of the view.
-Points<2> turned(const Points<2>& points, double degrees) {
+Points2 turned(const Points2& points, double degrees) {
     const double a = degrees * std::numbers::pi / 180;
-    Mat<2> turn;
+    Mat2 turn;
     turn << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
-    return (turn * (points.colwise() - Vec<2>(60, 60))).colwise() + Vec<2>(109.3, 98.6);
+    return (turn * (points.colwise() - Vec2(60, 60))).colwise() + Vec2(109.3, 98.6);
 }
 
-using Polygon = std::vector<Vec<2>>;
+using Polygon = std::vector<Vec2>;
 
 /// The part of a polygon where n·p ≤ d.
-Polygon clipped(const Polygon& polygon, const Vec<2>& n, double d) {
+Polygon clipped(const Polygon& polygon, const Vec2& n, double d) {
     Polygon part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec<2>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         const double from = d - n.dot(p), to = d - n.dot(q);
         if (from >= 0) part.push_back(p);
         if ((from < 0) != (to < 0)) part.emplace_back(p + from / (from - to) * (q - p));
@@ -70,20 +70,20 @@ Polygon clipped(const Polygon& polygon, const Vec<2>& n, double d) {
 double areaOf(const Polygon& polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec<2>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         twice += p.x() * q.y() - q.x() * p.y();
     }
     return std::abs(twice) / 2;
 }
 
 /// What the turned square covers of a pixel, exactly.
-double covered(const Points<2>& corners, int x, int y) {
+double covered(const Points2& corners, int x, int y) {
     Polygon part{corners.col(0), corners.col(kSide), corners.col(corners.cols() - 1),
                  corners.col(kSide * (kSide + 1))};
-    part = clipped(part, -Vec<2>::UnitX(), -x);
-    part = clipped(part, Vec<2>::UnitX(), x + 1);
-    part = clipped(part, -Vec<2>::UnitY(), -y);
-    part = clipped(part, Vec<2>::UnitY(), y + 1);
+    part = clipped(part, -Vec2::UnitX(), -x);
+    part = clipped(part, Vec2::UnitX(), x + 1);
+    part = clipped(part, -Vec2::UnitY(), -y);
+    part = clipped(part, Vec2::UnitY(), y + 1);
     return areaOf(part);
 }
 
@@ -114,7 +114,7 @@ double disc(double x, double y) {
     return std::clamp((50 - std::hypot(x - 60, y - 60)) / 4 + 0.5, 0.0, 1.0);
 }
 
-RenderRequest requestOf(const std::shared_ptr<const SimplicialMesh<2>>& mesh, const Points<2>& pose) {
+RenderRequest requestOf(const std::shared_ptr<const SimplicialMesh<2>>& mesh, const Points2& pose) {
     auto frame = std::make_shared<PosedFrame<2>>();
     frame->dimension = 2;
     frame->rest = mesh;
@@ -235,7 +235,7 @@ void TestOnShape::mapIsSeenOnTransparentGround() {
 /// Two squares one over the other: the map of the front one covers the other's, and the line between them is
 /// as soft as the outline.
 void TestOnShape::whatLiesInFrontIsSeenAlone() {
-    Points<2> points(2, 8);
+    Points2 points(2, 8);
     points << 20, 150, 150, 20, 60.4, 110.4, 110.4, 60.4, 20, 20, 150, 150, 40, 60, 120, 100;
     const SimplicialMesh<2> mesh{points, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
     CellFiller filler(kSize, PaintingPlan(mesh, {}), points, {});
@@ -259,7 +259,7 @@ void TestOnShape::whatLiesInFrontIsSeenAlone() {
 /// Colours of vertices at the rim are those of the place, not of beyond it.
 void TestOnShape::smoothMapsHaveTheSameRim() {
     const auto mesh = square();
-    const Points<2> pose = turned(mesh->points, 13);
+    const Points2 pose = turned(mesh->points, 13);
     const PaintingPlan plan(*mesh, {});
     CellFiller soft(kSize, plan, pose, {}), even(kSize, plan, pose, {});
     for (const Cell<2>& cell : mesh->cells) {
@@ -274,12 +274,12 @@ void TestOnShape::smoothMapsHaveTheSameRim() {
     soft.layOver(a, CellFiller::Extent::Shape);
     even.layOver(b, CellFiller::Extent::Shape);
     QCOMPARE(alphaOff(a, b), 0);
-    Mat<2> turn;
+    Mat2 turn;
     turn.col(0) = (pose.col(1) - pose.col(0)) / 10;
     turn.col(1) = (pose.col(kSide + 1) - pose.col(0)) / 10;
     forPixels([&](int x, int y) {
         if (qAlpha(a.pixel(x, y)) < 40) return;
-        const Vec<2> rest = turn.inverse() * (Vec<2>(x + 0.5, y + 0.5) - pose.col(0));
+        const Vec2 rest = turn.inverse() * (Vec2(x + 0.5, y + 0.5) - pose.col(0));
         const double expected = std::clamp(2 * rest.x(), 0.0, 240.0);
         QVERIFY2(std::abs(qRed(qUnpremultiply(a.pixel(x, y))) - expected) < 5,
                  qPrintable(QString::number(expected)));

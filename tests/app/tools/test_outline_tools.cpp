@@ -400,8 +400,8 @@ void TestOutlineTools::pinsOnTheLineStay() {
     OpenedFile file;
     file.project = m_session->document().project();
     document.open(file);
-    for (const Vec<2>& p : {Vec<2>(30, 60), Vec<2>(120, 60), Vec<2>(60, 30), Vec<2>(60, 120), Vec<2>(30, 30),
-                            Vec<2>(70, 70), Vec<2>(29.9, 60)})
+    for (const Vec2& p : {Vec2(30, 60), Vec2(120, 60), Vec2(60, 30), Vec2(60, 120), Vec2(30, 30),
+                          Vec2(70, 70), Vec2(29.9, 60)})
         addPin(document, p, "Pin");
     const auto project = copyOf(*document.project());
     QCOMPARE(setOutline(*project, {{{{30, 30}, {120, 30}, {120, 120}, {30, 120}}}}), 1);
@@ -447,8 +447,8 @@ void TestOutlineTools::drawnLinesAreKept() {
     draw(star);
     for (const QPointF& p : star) {
         double nearest = INFINITY;
-        for (const Vec<2>& q : domain().polygons.loops.at(0))
-            nearest = std::min(nearest, (q - Vec<2>(p.x(), p.y())).norm());
+        for (const Vec2& q : domain().polygons.loops.at(0))
+            nearest = std::min(nearest, (q - Vec2(p.x(), p.y())).norm());
         QVERIFY2(nearest < 0.75, qPrintable(QString::number(nearest)));
     }
 }
@@ -504,8 +504,8 @@ void TestOutlineTools::finerWhereItIsBrushed() {
         double sum = 0;
         int count = 0;
         for (const auto& facet : facetsOf(rest)) {
-            const Vec<2> a = rest.points.col(facet.vertices[0]), b = rest.points.col(facet.vertices[1]);
-            const double far = ((a + b) / 2 - Vec<2>(80, 100)).norm();
+            const Vec2 a = rest.points.col(facet.vertices[0]), b = rest.points.col(facet.vertices[1]);
+            const double far = ((a + b) / 2 - Vec2(80, 100)).norm();
             if (within ? far > 32 : far < 60) continue;
             sum += (b - a).norm();
             ++count;

@@ -34,12 +34,12 @@ std::vector<std::vector<int>> boundaryOf(const SimplicialMesh<2>& mesh) {
     return loops;
 }
 
-std::vector<double> turningAngles(const std::vector<int>& loop, const Points<2>& points) {
+std::vector<double> turningAngles(const std::vector<int>& loop, const Points2& points) {
     const int n = static_cast<int>(loop.size());
     std::vector<double> angles;
     for (int i = 0; i < n; ++i) {
-        const Vec<2> p = points.col(loop[i]), a = p - points.col(loop[(i + n - 1) % n]),
-                     b = points.col(loop[(i + 1) % n]) - p;
+        const Vec2 p = points.col(loop[i]), a = p - points.col(loop[(i + n - 1) % n]),
+                   b = points.col(loop[(i + 1) % n]) - p;
         angles.push_back(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
     }
     return angles;
@@ -47,7 +47,7 @@ std::vector<double> turningAngles(const std::vector<int>& loop, const Points<2>&
 
 /// In degrees: the change of the turning angle at every vertex of the outline, less its mean over the five
 /// vertices around, which a smooth bend has, too; root of the mean square.
-double roughness(const SimplicialMesh<2>& rest, const Points<2>& pose) {
+double roughness(const SimplicialMesh<2>& rest, const Points2& pose) {
     constexpr int kHalf = 2;
     double squares = 0, count = 0;
     for (const auto& loop : boundaryOf(rest)) {
@@ -93,16 +93,16 @@ class TestOutlines : public QObject {
         constexpr int kCount = 400;
         SimplicialMesh<2> disc;
         disc.points.setZero(2, kCount + 1);
-        Points<2> waved = disc.points;
+        Points2 waved = disc.points;
         for (int i = 0; i < kCount; ++i) {
             const double angle = 2 * std::numbers::pi * i / kCount;
-            const Vec<2> p(std::cos(angle), std::sin(angle));
+            const Vec2 p(std::cos(angle), std::sin(angle));
             disc.points.col(i + 1) = p;
-            waved.col(i + 1) = (i % 2 ? 1.0001 : 0.9999) * Vec<2>(3 * p.x(), p.y());
+            waved.col(i + 1) = (i % 2 ? 1.0001 : 0.9999) * Vec2(3 * p.x(), p.y());
             disc.cells.push_back({0, i + 1, 1 + (i + 1) % kCount});
         }
         QCOMPARE(boundaryOf(disc).size(), std::size_t(1));
-        Points<2> smooth = waved;
+        Points2 smooth = waved;
         for (int i = 1; i <= kCount; ++i) smooth.col(i) /= i % 2 ? 0.9999 : 1.0001;
         QVERIFY(roughness(disc, smooth) < 0.05);
         QVERIFY(roughness(disc, disc.points) == 0);

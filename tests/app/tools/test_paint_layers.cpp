@@ -259,7 +259,7 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     rest.cells = {{0, 1, 2}, {0, 2, 3}};
     std::vector<MaterialRegion> stroke;
     for (int i = 0; i < 6; ++i) stroke.push_back({{Ball<3>{{20.0 + 8 * i, 50, 0}, 12}, 6}, 1.0});
-    const auto distance = [](const std::vector<MaterialRegion>& layer, const Vec<2>& p) {
+    const auto distance = [](const std::vector<MaterialRegion>& layer, const Vec2& p) {
         double nearest = INFINITY;
         for (const auto& region : layer)
             nearest = std::min(nearest, signedDistance<2>(inPlane(region.shape), p));
@@ -269,10 +269,10 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
         const RestLines lines = linesOf(layer, rest);
         if (lines.border.empty() || lines.soft.empty()) return false;
         for (const auto& line : lines.border)
-            for (const Vec<2>& p : line)
+            for (const Vec2& p : line)
                 if (std::abs(distance(layer, p)) > tolerance) return false;
         for (const auto& line : lines.soft)
-            for (const Vec<2>& p : line)
+            for (const Vec2& p : line)
                 if (std::abs(std::abs(distance(layer, p)) - layer[0].feather / 2) > tolerance) return false;
         return true;
     };
@@ -284,12 +284,12 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     QCOMPARE(square.border[0].size(), std::size_t(5));
     QVERIFY(square.soft.size() >= 1);
     // Carried by a shear, each point goes where its cell takes it; what leaves the shape is cut.
-    Points<2> pose = rest.points;
+    Points2 pose = rest.points;
     pose.row(0) += 0.5 * rest.points.row(1);
     const PointLocator<2> locator(rest.points, rest.cells);
     const auto carried = carriedLine({{-20, 50}, {120, 50}}, rest, locator, pose);
     QCOMPARE(carried.size(), std::size_t(1));
-    for (const Vec<2>& p : carried[0]) QVERIFY(std::abs(p.y() - 50) < 1e-9 && p.x() > 24 && p.x() < 126);
+    for (const Vec2& p : carried[0]) QVERIFY(std::abs(p.y() - 50) < 1e-9 && p.x() > 24 && p.x() < 126);
 }
 
 void TestPaintLayers::lineOfTheChosenLayerIsSeen() {

@@ -68,7 +68,7 @@ class TestPainting : public PaintTest {
     template <int Dim>
     void paintHalf(double feather);
     template <int Dim>
-    std::vector<Vec<3>> coloursAlong(double v);
+    std::vector<Vec3> coloursAlong(double v);
     template <int Dim>
     void seeSoft();
     template <int Dim>
@@ -218,7 +218,7 @@ void TestPainting::paintHalf(double feather) {
 
 /// The colours that are seen along the bar from the left to the right.
 template <int Dim>
-std::vector<Vec<3>> TestPainting::coloursAlong(double v) {
+std::vector<Vec3> TestPainting::coloursAlong(double v) {
     auto& canvas = Bar<Dim>::canvas(*m_f);
     QImage seen;
     if constexpr (Dim == 2)
@@ -227,7 +227,7 @@ std::vector<Vec<3>> TestPainting::coloursAlong(double v) {
         seen = canvas.picture(canvas.size(), false);
     const QPointF left = canvas.toWidget(Bar<Dim>::place(-1, v)),
                   right = canvas.toWidget(Bar<Dim>::place(1, v));
-    std::vector<Vec<3>> colours;
+    std::vector<Vec3> colours;
     for (double x = left.x(); x <= right.x(); ++x) {
         const QColor colour = seen.pixelColor(qRound(x), qRound(left.y()));
         colours.emplace_back(colour.red(), colour.green(), colour.blue());
@@ -246,7 +246,7 @@ void TestPainting::seeSoft() {
     paintHalf<Dim>(1.5);
     for (const double v : {-0.3, -0.1, 0.1, 0.3}) {
         const auto colours = coloursAlong<Dim>(v);
-        const Vec<3>&first = colours.front(), &last = colours.back();
+        const Vec3 &first = colours.front(), &last = colours.back();
         const double whole = (last - first).norm();
         QVERIFY(whole > 60);
         double largest = 0;
@@ -266,11 +266,11 @@ void TestPainting::unpaintedPartsOfSolidsStayAsTheyAre() {
         canvas.setCutKind(CutKind::Exact);
         return canvas.picture(canvas.size(), false);
     };
-    canvas.setCutPlane({Vec<3>::Zero(), Vec<3>(0.3, 0.2, 1).normalized()});
+    canvas.setCutPlane({Vec3::Zero(), Vec3(0.3, 0.2, 1).normalized()});
     const QImage plain = seenWith("pin");
     QVERIFY(seenWith("paint") == plain);
     paintHalf<3>(0);
-    canvas.setCutPlane({Vec<3>::Zero(), Vec<3>(0.3, 0.2, 1).normalized()});
+    canvas.setCutPlane({Vec3::Zero(), Vec3(0.3, 0.2, 1).normalized()});
     const QImage without = seenWith("pin"), with = seenWith("paint");
     const int edge = qRound(canvas.toWidget(Bar<3>::place(0.6, 0)).x());
     const QRect right(QPoint(edge, 0), QPoint(canvas.width() - 1, canvas.height() - 1));
@@ -292,15 +292,14 @@ void TestPainting::seeSharp() {
     QTRY_VERIFY(Bar<Dim>::canvas(*m_f).isSettled());
     const double veil = Dim == 2 ? 1 - paintOpacity(1) : 0;  // of the picture, seen through the paint
     constexpr std::array kLines{-0.3, -0.1, 0.1, 0.3};
-    std::vector<std::vector<Vec<3>>> plain;
+    std::vector<std::vector<Vec3>> plain;
     for (const double v : kLines) plain.push_back(coloursAlong<Dim>(v));
     paintHalf<Dim>(0);
     for (std::size_t line = 0; line < kLines.size(); ++line) {
         const auto colours = coloursAlong<Dim>(kLines[line]);
         int between = 0;
         for (std::size_t i = 0; i < colours.size(); ++i) {
-            const Vec<3> own = plain[line][i],
-                         way = colours.front() - own + veil * (own - plain[line].front());
+            const Vec3 own = plain[line][i], way = colours.front() - own + veil * (own - plain[line].front());
             const double whole = way.norm(), part = (colours[i] - own).dot(way) / (whole * whole);
             QVERIFY(whole > 60);
             between += part > 0.1 && part < 0.9;
@@ -768,7 +767,7 @@ void TestPainting::carryDirections() {
     session.addHandle(inSpace(all), "All");
     Grip turn{Grip::Kind::Turn};
     turn.centre.template head<Dim>() = middle;
-    if (Dim == 3) turn.axis = -Vec<3>::UnitY();  // towards who looks: from right to up
+    if (Dim == 3) turn.axis = -Vec3::UnitY();  // towards who looks: from right to up
     session.gestures().moveAtOnce(turn, {std::numbers::pi / 2, 0, 0});
     for (const Vec<Dim>& step : {right, up}) {
         Amount amount = Amount::Zero();

@@ -120,7 +120,7 @@ std::vector<QPointF> TestPen::path(int h) {
     std::vector<QPointF> seen;
     if (isSolid()) {
         if (const auto* curve = std::get_if<CurveMotion<3>>(&handle<3>(h).motions.back().kind))
-            for (const Vec<3>& p : curve->points) seen.push_back(m_f->canvas().toWidget(p));
+            for (const Vec3& p : curve->points) seen.push_back(m_f->canvas().toWidget(p));
     } else if (const auto* curve = std::get_if<CurveMotion<3>>(&handle<2>(h).motions.back().kind)) {
         for (const Vec3& p : curve->points) seen.push_back(m_f->window().canvas().toWidget(inPlane(p)));
     }
@@ -305,7 +305,7 @@ void TestPen::otherChangesGiveUp() {
 /// A path in space: the view is turned between its points, each of which lies as deep as the one before.
 void TestPen::turnedViewsLeadIntoDepth() {
     QVERIFY(open(3));
-    const Vec<3> start = m_f->pin(1);
+    const Vec3 start = m_f->pin(1);
     click(pin(1));
     click(pin(1) + QPoint(-20, -50));
     m_f->actions().top->trigger();

@@ -255,7 +255,7 @@ void TestPinGestures::drawBeside() {
 void TestPinGestures::viewsThatTheLeftButtonTurnsAreTurned() {
     QVERIFY(open<3>({}));
     m_f->actions().vtkKeys->trigger();
-    const Vec<3> before = m_f->canvas().viewDirection();
+    const Vec3 before = m_f->canvas().viewDirection();
     QVERIFY(drag(at<3>(0), {50, 0}));
     QCOMPARE(session().pins().count(), 0);
     QVERIFY((m_f->canvas().viewDirection() - before).norm() > 0.05);
@@ -561,11 +561,11 @@ void TestPinGestures::arrowsFollowTheScreen() {
     m_f->tool("select")->trigger();
     QVERIFY(settle(session()));
     const QPointF before = m_f->window().canvas().toWidget(pin<2>(1));
-    const Vec<2> place = pin<2>(1);
+    const Vec2 place = pin<2>(1);
     QTest::keyClick(&m_f->view(), Qt::Key_Up, Qt::ShiftModifier);
     QVERIFY(settle(session()));
     QVERIFY(m_f->window().canvas().toWidget(pin<2>(1)).y() < before.y() - 0.1);
-    QVERIFY((pin<2>(1) - place - Vec<2>(0, 10 * session().motion().pixel())).norm() < 1e-9);
+    QVERIFY((pin<2>(1) - place - Vec2(0, 10 * session().motion().pixel())).norm() < 1e-9);
 }
 
 /// Along the nearest of eight ways of the screen, also when it is held from the start, which lets nothing go.

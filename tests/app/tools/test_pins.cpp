@@ -560,7 +560,7 @@ void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
     QVERIFY(open<2>());
     ShapeCanvas& canvas = m_f->window().canvas();
     const auto frame = session().motion().frame<2>();
-    Points<2> velocity = Points<2>::Zero(2, frame->pose.cols());
+    Points2 velocity = Points2::Zero(2, frame->pose.cols());
     velocity.row(0).setConstant(0.5);
     velocity(0, 0) = 1;  // the fastest one's arrow is 30 long
     auto material = std::make_shared<Material<2>>(*frame->material);
@@ -590,10 +590,10 @@ void TestPins::glyphsAreAsLargeAsChosen() {
     const auto frame = session().motion().frame<3>();
     PosedFrame<3> stiff = *frame;
     auto material = std::make_shared<Material<3>>(*frame->material);
-    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<3>({Vec<3>::UnitX(), 4}));
+    material->anisotropy.assign(frame->rest->cells.size(), anisotropyOf<3>({Vec3::UnitX(), 4}));
     stiff.material = material;
     const CutSurface& surface = m_f->canvas().solid().surface();
-    Points<3> velocity = Points<3>::Zero(3, frame->pose.cols());
+    Points3 velocity = Points3::Zero(3, frame->pose.cols());
     velocity.row(2).setOnes();
     const auto height = [](const std::vector<DrawVertex>& drawn, std::size_t count) {
         float low = 1e9F, high = -1e9F;

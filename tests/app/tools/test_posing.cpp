@@ -69,19 +69,19 @@ class TestPosing : public QObject {
     ShapeCanvas& canvas() { return m_window->canvas(); }
     const Project& project() { return *session().document().project(); }
     const std::vector<Pin>& handles() { return session().document().design().handles; }
-    QPoint at(const Vec<2>& p) { return canvas().toWidget(p).toPoint(); }
-    Vec<2> pin(int h) { return inPlane(session().gestures().pins()[h].centre); }
+    QPoint at(const Vec2& p) { return canvas().toWidget(p).toPoint(); }
+    Vec2 pin(int h) { return inPlane(session().gestures().pins()[h].centre); }
     double pixel() { return 1 / canvas().view().zoom(); }
     const PinActions& pinActions() { return *m_window->findChild<PinActions*>(); }
-    void click(const Vec<2>& p) { QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(p)); }
+    void click(const Vec2& p) { QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(p)); }
     void press(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
     void release(const QPoint& to, Qt::KeyboardModifiers modifiers = {});
-    void drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {});
+    void drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers = {});
     void moveWithShift(const QPoint& to);
     void scrub(double time);
     void widen(int handle, double radius);
     QPoint ringSpot(int handle, int dx, int dy);
-    QMenu* menuAt(const Vec<2>& p);
+    QMenu* menuAt(const Vec2& p);
     void picture(const QString& name);
 
     std::unique_ptr<TestFolder> m_folder;
@@ -127,7 +127,7 @@ void TestPosing::release(const QPoint& to, Qt::KeyboardModifiers modifiers) {
     QVERIFY(settle(session()));
 }
 
-void TestPosing::drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers) {
+void TestPosing::drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers) {
     press(at(from), at(to), modifiers);
     release(at(to), modifiers);
 }
@@ -145,8 +145,8 @@ void TestPosing::scrub(double time) {
 }
 
 void TestPosing::widen(int handle, double radius) {
-    const Vec<2> centre = pin(handle);
-    drag(centre, centre + Vec<2>(-radius, 0), Qt::AltModifier);
+    const Vec2 centre = pin(handle);
+    drag(centre, centre + Vec2(-radius, 0), Qt::AltModifier);
     QVERIFY(std::holds_alternative<Region<3>>(handles()[handle].at));
 }
 
@@ -155,7 +155,7 @@ QPoint TestPosing::ringSpot(int handle, int dx, int dy) {
     return at(pin(handle)) + QPoint(dx, dy);
 }
 
-QMenu* TestPosing::menuAt(const Vec<2>& p) {
+QMenu* TestPosing::menuAt(const Vec2& p) {
     QTest::mouseClick(&canvas(), Qt::RightButton, {}, at(p));
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
@@ -175,8 +175,8 @@ void TestPosing::posingKeepsTheLength() {
     drag({40, 80}, {50, 70});
     QCOMPARE(session().playback().end(), 1.0);
     QCOMPARE(length->value(), 1.0);
-    QVERIFY((pin(1) - Vec<2>(185, 100)).norm() < 2 * pixel());
-    QVERIFY((pin(0) - Vec<2>(50, 70)).norm() < 2 * pixel());
+    QVERIFY((pin(1) - Vec2(185, 100)).norm() < 2 * pixel());
+    QVERIFY((pin(0) - Vec2(50, 70)).norm() < 2 * pixel());
     QCOMPARE(handles()[1].motions.size(), std::size_t(2));
     const double ratio = handles()[1].motions[0].end / handles()[1].motions[1].end;
     QVERIFY(std::abs(ratio - std::hypot(10, 30) / (std::hypot(10, 30) + std::hypot(5, 10))) < 0.05);
@@ -190,7 +190,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     const auto before = session().document().project();
     const double border = handles()[0].motions[0].start;
     scrub(border / 2);
-    const Vec<2> seen = pin(1);
+    const Vec2 seen = pin(1);
     QVERIFY(std::abs(seen.y() - 105) < 4);
     const QPoint from = at(seen), to = from + QPoint(-40, 0);
     press(from, to);
@@ -198,7 +198,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);  // it stays under the pointer
     release(to);
     QVERIFY(QLineF(at(pin(1)), to).length() < 3);
-    QVERIFY((pin(0) - Vec<2>(40, 60)).norm() < 2 * pixel());  // it goes on as it did
+    QVERIFY((pin(0) - Vec2(40, 60)).norm() < 2 * pixel());  // it goes on as it did
     QCOMPARE(timeOf(project().design, 0, 0), timeOf(before->design, 0, 0));
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("replaces")));
     QCOMPARE(project().end, 1.0);
@@ -206,7 +206,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(settle(session()));
     QVERIFY(session().document().project() == before);
-    QVERIFY((pin(1) - Vec<2>(200, 130)).norm() < 2 * pixel());
+    QVERIFY((pin(1) - Vec2(200, 130)).norm() < 2 * pixel());
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(settle(session()));
     QCOMPARE(toJson(project()), after);
@@ -216,24 +216,24 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
 void TestPosing::pinsAreSetAtTheTimeThatIsShown() {
     drag({200, 80}, {200, 120});
     scrub(0.5);
-    const Points<2> shown = session().motion().frame<2>()->pose;
+    const Points2 shown = session().motion().frame<2>()->pose;
     click({120, 82});
     QVERIFY(settle(session()));
     QCOMPARE(handles().size(), std::size_t(3));
     QVERIFY(std::abs(handles()[2].activeFrom - 0.5) < 0.03);
     // The integrator begins anew there: it is the same but for its error.
     QVERIFY((session().motion().frame<2>()->pose - shown).colwise().norm().maxCoeff() < 0.05);
-    const Vec<2> added = pin(2);
-    QVERIFY((added - Vec<2>(120, 82)).norm() < 2 * pixel());
+    const Vec2 added = pin(2);
+    QVERIFY((added - Vec2(120, 82)).norm() < 2 * pixel());
     m_window->actions().toEnd->trigger();
     QVERIFY(settle(session()));
     QVERIFY((pin(2) - added).norm() < 1e-6);
-    QVERIFY((pin(1) - Vec<2>(200, 120)).norm() < 2 * pixel());  // its motion is still there
+    QVERIFY((pin(1) - Vec2(200, 120)).norm() < 2 * pixel());  // its motion is still there
 }
 
 void TestPosing::lengthIsTyped() {
     drag({200, 80}, {190, 110});
-    const Points<2> end = session().motion().frame<2>()->pose;
+    const Points2 end = session().motion().frame<2>()->pose;
     auto* length = m_window->findChild<TimeStrip*>()->length();
     length->setFocus();
     length->selectAll();
@@ -257,9 +257,9 @@ void TestPosing::posesSurviveAFile() {
     press(ringSpot(1, 31, -31), ringSpot(1, 44, 0));
     release(ringSpot(1, 44, 0));
     scrub(0.7);
-    drag(pin(0), pin(0) + Vec<2>(0, -12));
+    drag(pin(0), pin(0) + Vec2(0, -12));
     const std::string text = toJson(project());
-    const Points<2> shown = session().motion().frame<2>()->pose;
+    const Points2 shown = session().motion().frame<2>()->pose;
     const QString path = m_folder->filePath(QStringLiteral("posed.wend"));
     session().document().save(path);
     const int generation = session().document().generation();
@@ -275,23 +275,23 @@ void TestPosing::posesSurviveAFile() {
 
 void TestPosing::regionsAreDraggedFromInside() {
     widen(1, 22);
-    const Vec<2> inside = pin(1) + Vec<2>(-14, 4);
+    const Vec2 inside = pin(1) + Vec2(-14, 4);
     m_window->actions().selectTool->trigger();
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QVERIFY(session().selection().isEmpty());
-    const Vec<2> before = pin(1);
-    drag(inside, inside + Vec<2>(-6, 20));
+    const Vec2 before = pin(1);
+    drag(inside, inside + Vec2(-6, 20));
     QCOMPARE(handles()[1].motions.size(), std::size_t(1));
-    QVERIFY((pin(1) - before - Vec<2>(-6, 20)).norm() < 2 * pixel());
+    QVERIFY((pin(1) - before - Vec2(-6, 20)).norm() < 2 * pixel());
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     m_window->actions().pinTool->trigger();
-    click(pin(1) + Vec<2>(-12, 3));  // no pin within what is held already
+    click(pin(1) + Vec2(-12, 3));  // no pin within what is held already
     QCOMPARE(handles().size(), std::size_t(2));
 }
 
 /// Whichever was made first; a rectangle takes them by any of their points.
 void TestPosing::smallestRegionIsTaken() {
-    const auto box = [this](const Vec<2>& from, const Vec<2>& to) {
+    const auto box = [this](const Vec2& from, const Vec2& to) {
         m_window->tools().action(QStringLiteral("rectangle"))->trigger();
         QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(from));
         QTest::mouseMove(&canvas(), at(to));
@@ -303,7 +303,7 @@ void TestPosing::smallestRegionIsTaken() {
     box({90, 55}, {150, 105});
     box({112, 72}, {124, 84});
     QCOMPARE(handles().size(), std::size_t(5));
-    const auto taken = [this](const Vec<2>& p) {
+    const auto taken = [this](const Vec2& p) {
         click(p);
         const std::vector<int> selected = session().selection().handles();
         QTest::keyClick(&canvas(), Qt::Key_Escape);
@@ -326,7 +326,7 @@ void TestPosing::regionsVeilNothing() {
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseMove(&canvas(), QPoint(5, 5));
     QVERIFY(QTest::qWaitFor([&] { return canvas().isSettled(); }, 20000));
-    const QPoint spot = at(pin(1) + Vec<2>(-15, 0));
+    const QPoint spot = at(pin(1) + Vec2(-15, 0));
     const auto colour = [&] {
         return canvas().grab().toImage().pixelColor(spot * canvas().devicePixelRatio());
     };
@@ -343,7 +343,7 @@ void TestPosing::regionsVeilNothing() {
 
 void TestPosing::ringRotatesAndScales() {
     widen(1, 18);
-    const Vec<2> centre = pin(1);
+    const Vec2 centre = pin(1);
     const auto before = session().gestures().pins()[1].points;
     press(ringSpot(1, 31, -31), ringSpot(1, 31, 31));  // a quarter, clockwise
     release(ringSpot(1, 31, 31));
@@ -352,7 +352,7 @@ void TestPosing::ringRotatesAndScales() {
     QVERIFY((pin(1) - centre).norm() < 0.5);
     const auto turned = session().gestures().pins()[1].points;
     for (std::size_t i = 0; i < turned.size(); ++i) {
-        const Vec<2> hub = inPlane(turn->centre), arm = inPlane(before[i]) - hub;
+        const Vec2 hub = inPlane(turn->centre), arm = inPlane(before[i]) - hub;
         QVERIFY((inPlane(turned[i]) - hub - Eigen::Rotation2Dd(turn->angle) * arm).norm() < 1e-6);
     }
     press(ringSpot(1, 31, 31), ringSpot(1, 24, 24));
@@ -380,7 +380,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     const auto* row = m_window->findChild<OptionRow*>();
     for (const QAction* one : {pinActions().move, pinActions().turn, pinActions().grow})
         QVERIFY(row->actions().contains(one));
-    const Vec<2> centre = pin(1);
+    const Vec2 centre = pin(1);
     const std::size_t count = handles().size();
     QTest::keyClick(&canvas(), Qt::Key_R);
     QVERIFY(pinActions().turn->isChecked());
@@ -409,14 +409,14 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, ringSpot(1, 0, -16));
     QTest::keyClick(&canvas(), Qt::Key_G);
-    drag(centre, centre + Vec<2>(-10, 5));
-    QVERIFY((pin(1) - centre - Vec<2>(-10, 5)).norm() < 1);
+    drag(centre, centre + Vec2(-10, 5));
+    QVERIFY((pin(1) - centre - Vec2(-10, 5)).norm() < 1);
 }
 
 /// A drag beside a point makes it a small disc; Esc, or one step back, makes it a point again.
 void TestPosing::pointsBecomeDiscs() {
     session().selection().set({1});
-    const Vec<2> before = pin(1);
+    const Vec2 before = pin(1);
     for (const auto& [key, kind] : {std::pair{Qt::Key_R, Grip::Kind::Turn}, {Qt::Key_S, Grip::Kind::Grow}}) {
         QTest::keyClick(&canvas(), key);
         press(ringSpot(1, -70, 0), ringSpot(1, -90, 30));
@@ -461,16 +461,16 @@ void TestPosing::numbersMoveTurnAndGrow() {
     };
     const auto held = [&] { return session().gestures().pins()[1].points; };
     const auto before = held();
-    const Vec<2> by(-12.5, 7.25), centre = pin(1) + by;
+    const Vec2 by(-12.5, 7.25), centre = pin(1) + by;
     step(0, {QStringLiteral("-12.5"), QStringLiteral("7.25")});
     step(1, {QStringLiteral("30")});
     step(2, {QStringLiteral("1.25")});
     const auto after = held();
     QCOMPARE(after.size(), before.size());
     QVERIFY(after.size() > 2);
-    const Mat<2> turn = Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix();
+    const Mat2 turn = Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix();
     for (std::size_t i = 0; i < after.size(); ++i) {
-        const Vec<2> expected = centre + 1.25 * (turn * (inPlane(before[i]) + by - centre));
+        const Vec2 expected = centre + 1.25 * (turn * (inPlane(before[i]) + by - centre));
         QVERIFY2((inPlane(after[i]) - expected).norm() < 1e-6,
                  qPrintable(QString::number((inPlane(after[i]) - expected).norm())));
     }
@@ -485,8 +485,8 @@ void TestPosing::ownTimingIsKept() {
     const auto told = [&] {
         return m_window->statusBar()->currentMessage().contains(QStringLiteral("keeps its times"));
     };
-    drag(pin(1), pin(1) + Vec<2>(0, 20));
-    drag(pin(1), pin(1) + Vec<2>(-20, 0));
+    drag(pin(1), pin(1) + Vec2(0, 20));
+    drag(pin(1), pin(1) + Vec2(-20, 0));
     QVERIFY(!hasOwnTiming(project()));
     QVERIFY(!told());
     const double border = handles()[1].motions[0].end;
@@ -497,7 +497,7 @@ void TestPosing::ownTimingIsKept() {
     QVERIFY(hasOwnTiming(project()));
     session().playback().setTime(project().end);
     QVERIFY(settle(session()));
-    drag(pin(1), pin(1) + Vec<2>(0, -20));
+    drag(pin(1), pin(1) + Vec2(0, -20));
     QVERIFY(told());
     QCOMPARE(handles()[1].motions[0].end, 0.4 * border);
     QCOMPARE(handles()[1].motions[1].end, timed.end);
@@ -505,8 +505,8 @@ void TestPosing::ownTimingIsKept() {
 }
 
 void TestPosing::easeIsThatOfTheTimeShown() {
-    drag(pin(1), pin(1) + Vec<2>(0, 20));
-    drag(pin(1), pin(1) + Vec<2>(-10, 10));
+    drag(pin(1), pin(1) + Vec2(0, 20));
+    drag(pin(1), pin(1) + Vec2(-10, 10));
     QCOMPARE(handles()[1].motions.size(), std::size_t(2));
     auto* ease = m_window->findChild<QComboBox*>(QStringLiteral("ease"));
     QVERIFY(ease->isVisible());
@@ -546,7 +546,7 @@ void TestPosing::pointsHaveADottedRing() {
     QCOMPARE(handles().size(), count);
     QCOMPARE(handles()[1].motions.size(), std::size_t(1));
     session().document().undoStack()->undo();
-    drag(pin(1), pin(1) + Vec<2>(0.9, 0), Qt::AltModifier);  // smaller than the mesh
+    drag(pin(1), pin(1) + Vec2(0.9, 0), Qt::AltModifier);  // smaller than the mesh
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("smaller than the mesh")) ||
             std::holds_alternative<std::vector<Vec3>>(handles()[1].at));
     QCOMPARE(handles().size(), count);
@@ -575,7 +575,7 @@ void TestPosing::waysAreSelectedByAClick() {
     drag({200, 80}, {170, 130});
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QVERIFY(session().selection().isEmpty());
-    const Vec<2> middle = (Vec<2>(200, 80) + Vec<2>(170, 130)) / 2;
+    const Vec2 middle = (Vec2(200, 80) + Vec2(170, 130)) / 2;
     click(middle);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     QCOMPARE(handles().size(), std::size_t(2));
@@ -594,7 +594,7 @@ void TestPosing::partsAreHeldByOutlines() {
     QFETCH(int, key);
     QFETCH(int, modifier);
     QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), Qt::KeyboardModifiers(modifier));
-    const std::vector<Vec<2>> corners = {{100, 66}, {140, 66}, {140, 96}, {100, 96}};
+    const std::vector<Vec2> corners = {{100, 66}, {140, 66}, {140, 96}, {100, 96}};
     const bool box = key == Qt::Key_B;
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(corners[0]));
     for (int i = box ? 2 : 1; i < (box ? 3 : 4); ++i) QTest::mouseMove(&canvas(), at(corners[i]));
@@ -604,8 +604,8 @@ void TestPosing::partsAreHeldByOutlines() {
     QVERIFY(m_window->actions().selectTool->isChecked());
     const auto before = session().gestures().pins()[2].points;
     QVERIFY(before.size() > 5);
-    const Vec<2> inside(138, 80);  // where the brush was, too
-    drag(inside, inside + Vec<2>(0, 9));
+    const Vec2 inside(138, 80);  // where the brush was, too
+    drag(inside, inside + Vec2(0, 9));
     const auto after = session().gestures().pins()[2].points;
     for (std::size_t i = 0; i < before.size(); ++i)
         QVERIFY((after[i] - before[i] - Vec3(0, 9, 0)).norm() < 2 * pixel());
@@ -621,7 +621,7 @@ void TestPosing::partsAreHeldByOutlines() {
 }
 
 void TestPosing::partsGrowAndShrink() {
-    const auto box = [this](const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers) {
+    const auto box = [this](const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers) {
         m_window->tools().action(QStringLiteral("rectangle"))->trigger();
         QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
         QTest::mouseMove(&canvas(), at(to));
@@ -657,7 +657,7 @@ void TestPosing::pinsByKeyboard() {
     QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ShiftModifier);
     QTest::keyClick(&canvas(), Qt::Key_Left);
     QVERIFY(settle(session()));
-    QVERIFY((pin(1) - Vec<2>(199, 90)).norm() < 2 * pixel());
+    QVERIFY((pin(1) - Vec2(199, 90)).norm() < 2 * pixel());
     QCOMPARE(project().end, 1.0);
     list->setFocus();
     QTest::keyClick(list, Qt::Key_F2);

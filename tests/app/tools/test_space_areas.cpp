@@ -38,7 +38,7 @@ class TestSpaceAreas : public QObject {
 
   private:
     QPoint centre() { return m_f->at(m_f->pin(1)); }
-    Vec<3> heldAt(int vertex) { return m_f->session().motion().frame<3>()->pose.col(vertex); }
+    Vec3 heldAt(int vertex) { return m_f->session().motion().frame<3>()->pose.col(vertex); }
     std::unique_ptr<SolidFixture> m_f;
 };
 
@@ -54,17 +54,17 @@ void TestSpaceAreas::ringsTurn() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
     QVERIFY(m_f->window().findChild<PinActions*>()->turn->isChecked());
     const auto held = m_f->session().pins().verticesOf(1);
-    const Vec<3> middle = m_f->pin(1);
+    const Vec3 middle = m_f->pin(1);
     const auto angle = [&] {  // around y, of the corner that is farthest from the middle
         double most = 0;
         for (const int v : held) {
-            const Vec<3> rest = m_f->session().motion().frame<3>()->rest->points.col(v) - middle,
-                         now = heldAt(v) - middle;
+            const Vec3 rest = m_f->session().motion().frame<3>()->rest->points.col(v) - middle,
+                       now = heldAt(v) - middle;
             if (std::hypot(rest.x(), rest.z()) < 0.1) continue;
             if (std::abs(rest.norm() - now.norm()) > 1e-6) return -1.0;
             most = std::max(
                 most, std::acos(std::clamp(
-                          Vec<2>(rest.x(), rest.z()).normalized().dot(Vec<2>(now.x(), now.z()).normalized()),
+                          Vec2(rest.x(), rest.z()).normalized().dot(Vec2(now.x(), now.z()).normalized()),
                           -1.0, 1.0)));
         }
         return most * 180 / M_PI;
@@ -97,9 +97,9 @@ void TestSpaceAreas::ringsScale() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_S);
     QVERIFY(m_f->window().findChild<PinActions*>()->grow->isChecked());
     const auto held = m_f->session().pins().verticesOf(1);
-    const Vec<3> middle = m_f->pin(1);
+    const Vec3 middle = m_f->pin(1);
     const auto& rest = m_f->session().motion().frame<3>()->rest->points;
-    const Vec<3> corner = rest.col(held.front());
+    const Vec3 corner = rest.col(held.front());
     const auto factor = [&] { return (heldAt(held.front()) - middle).norm() / (corner - middle).norm(); };
     const QPoint c = centre();
     m_f->drag(c + QPoint(68, 0), c + QPoint(85, 0));
@@ -118,32 +118,32 @@ void TestSpaceAreas::ringsScale() {
 
 void TestSpaceAreas::squaresMoveInAPlane() {
     QVERIFY(m_f->holdEnds());
-    const Vec<3> before = m_f->pin(1);
+    const Vec3 before = m_f->pin(1);
     const QPoint from = centre() + QPoint(31, -31);  // the square between x and z
     const double pixel = m_f->canvas().pixelSize(before);
     m_f->drag(from, from + QPoint(-30, -40));
     QVERIFY(settle(m_f->session()));
-    const Vec<3> way = m_f->pin(1) - before;
+    const Vec3 way = m_f->pin(1) - before;
     QVERIFY(std::abs(way.y()) < 1e-9);
     QVERIFY(std::abs(way.x() + 30 * pixel) < 2 * pixel && std::abs(way.z() - 40 * pixel) < 2 * pixel);
 }
 
 void TestSpaceAreas::keysLockAxes() {
     QVERIFY(m_f->holdEnds());
-    const Vec<3> before = m_f->pin(1);
+    const Vec3 before = m_f->pin(1);
     const QPoint c = centre();
     m_f->press(c);
     m_f->moveTo(c, c + QPoint(-30, -30));
     QTest::keyClick(&m_f->canvas(), Qt::Key_X);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, c + QPoint(-30, -30));
     QVERIFY(settle(m_f->session()));
-    const Vec<3> way = m_f->pin(1) - before;
+    const Vec3 way = m_f->pin(1) - before;
     QVERIFY(way.x() < -20 * m_f->canvas().pixelSize(before));
     QVERIFY(std::abs(way.y()) < 1e-9 && std::abs(way.z()) < 1e-9);
     // A turn that was begun around y goes on around x.
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
     const auto held = m_f->session().pins().verticesOf(1);
-    const Vec<3> middle = m_f->pin(1), corner = heldAt(held.front());
+    const Vec3 middle = m_f->pin(1), corner = heldAt(held.front());
     const QPoint now = centre();
     m_f->press(now + QPoint(68, 0));
     m_f->moveTo(now + QPoint(68, 0), now + QPoint(66, -16));
@@ -151,7 +151,7 @@ void TestSpaceAreas::keysLockAxes() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_Return);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, now + QPoint(66, -16));
     QVERIFY(settle(m_f->session()));
-    const Vec<3> arm = corner - middle, turned(arm.x(), -arm.z(), arm.y());
+    const Vec3 arm = corner - middle, turned(arm.x(), -arm.z(), arm.y());
     QVERIFY((heldAt(held.front()) - middle - turned).norm() < 1e-9);
 }
 
@@ -166,7 +166,7 @@ void TestSpaceAreas::halfSpacesAreHeld() {
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->handles().size(), std::size_t(1));
     const auto& half = std::get<HalfSpace<3>>(std::get<Region<3>>(m_f->handles()[0].at));
-    QVERIFY((half.normal - Vec<3>::UnitX()).norm() < 0.05);  // as exactly as one drags
+    QVERIFY((half.normal - Vec3::UnitX()).norm() < 0.05);  // as exactly as one drags
     QVERIFY(std::abs(half.point.x() - 1.2) < 2 * m_f->canvas().pixelSize(half.point));
     const auto frame = m_f->session().motion().frame<3>();
     const auto held = m_f->session().pins().verticesOf(0);
@@ -202,16 +202,16 @@ void TestSpaceAreas::regionsAreEditedByNumbers() {
     type(2, QStringLiteral("-1"));
     QVERIFY(settle(m_f->session()));
     const auto& box = std::get<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at));
-    QVERIFY(box.min == Vec<3>(1, -1, -1));
+    QVERIFY(box.min == Vec3(1, -1, -1));
     QVERIFY(held() > few && count().endsWith(QStringLiteral(" ") + QString::number(held())));
     QVERIFY(m_f->session().document().undoStack()->count() <= steps + 1);  // one step for all
     m_f->actions().oblique->trigger();
-    m_f->session().gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(0), Vec<3>::UnitX()}, {0.6, 0, 0});
+    m_f->session().gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(0), Vec3::UnitX()}, {0.6, 0, 0});
     QVERIFY(settle(m_f->session()));
     m_f->picture(QStringLiteral("region"));
     type(0, QStringLiteral("50"));  // from 50 to 2.6: nothing is in it
     QVERIFY(count().contains(QStringLiteral("nothing")));
-    QVERIFY(std::get<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at)).min == Vec<3>(1, -1, -1));
+    QVERIFY(std::get<Box<3>>(std::get<Region<3>>(m_f->handles()[0].at)).min == Vec3(1, -1, -1));
 }
 
 void TestSpaceAreas::regionsChangeTheSelectedHandle() {
@@ -244,7 +244,7 @@ void TestSpaceAreas::controlClickTakesOneVertexAway() {
 void TestSpaceAreas::measuresAtAnyPoint() {
     m_f->tool("measure")->trigger();
     const auto& tool = *static_cast<MeasureTool*>(m_f->canvas().viewport().tool());
-    const Vec<3> a(-1.13, -0.5, 0.11), b(0.71, -0.5, -0.23);  // no vertices
+    const Vec3 a(-1.13, -0.5, 0.11), b(0.71, -0.5, -0.23);  // no vertices
     m_f->click(m_f->at(a));
     m_f->click(m_f->at(b));
     const double told = tool.text().section(' ', 1, 1).remove(',').toDouble();
@@ -283,14 +283,14 @@ void TestSpaceAreas::sizesAndValuesAreTold() {
 void TestSpaceAreas::velocityIsTheFieldItself() {
     QVERIFY(m_f->holdEnds());
     ShapeSession& session = m_f->session();
-    session.gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(1), Vec<3>::UnitX()}, {1.2, 0, 0});
+    session.gestures().moveAtOnce(Grip{Grip::Kind::Turn, m_f->pin(1), Vec3::UnitX()}, {1.2, 0, 0});
     QVERIFY(settle(session));
     m_f->window().actions().showArrows->setChecked(true);
     for (const double time : {0.5, 1.0}) {
         session.playback().setTime(time);
         QVERIFY(QTest::qWaitFor([&] { return session.motion().hasVelocity(); }, 20000));
         const auto frame = session.motion().frame<3>();
-        const Points<3> v = session.motion().velocity();
+        const Points3 v = session.motion().velocity();
         const Trajectory<3> way(m_f->handles()[1].motions.front());
         const auto moving = way.at(frame->time, Side::Before);
         for (const int i : session.pins().verticesOf(1))
@@ -315,12 +315,12 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     std::vector<std::size_t> ends{0};  // of the strokes, which are all in one layer
     const auto regions = [&] { return regionsIn(m_f->session().document().design()); };
     const auto axes = [&](std::size_t stroke) {
-        std::vector<Vec<3>> found;
+        std::vector<Vec3> found;
         for (std::size_t i = ends[stroke]; i < ends[stroke + 1]; ++i)
             found.push_back(regions()[i].stiffness->axis);
         return found;
     };
-    const auto stroke = [&](const Vec<3>& from, const Vec<3>& to) {
+    const auto stroke = [&](const Vec3& from, const Vec3& to) {
         m_f->drag(m_f->at(from), m_f->at(to));
         ends.push_back(regions().size());
         return settle(m_f->session());
@@ -333,23 +333,23 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     };
     choose(0);  // along the stroke: aslant over the front
     QVERIFY(stroke({-1, -0.5, -0.3}, {1, -0.5, 0.3}));
-    for (const Vec<3>& axis : axes(0)) QVERIFY(std::abs(axis.dot(Vec<3>(1, 0, 0.3).normalized())) > 0.99);
+    for (const Vec3& axis : axes(0)) QVERIFY(std::abs(axis.dot(Vec3(1, 0, 0.3).normalized())) > 0.99);
     choose(6);  // along the view
     QVERIFY(stroke({-1, -0.5, 0.2}, {-0.5, -0.5, 0.2}));
-    for (const Vec<3>& axis : axes(1)) QVERIFY(std::abs(axis.y()) > 0.999);
+    for (const Vec3& axis : axes(1)) QVERIFY(std::abs(axis.y()) > 0.999);
     choose(5);
     boxes[0]->setValue(0);
     boxes[1]->setValue(3);
     boxes[2]->setValue(4);
     QVERIFY(stroke({0.5, -0.5, -0.2}, {1, -0.5, -0.2}));
-    for (const Vec<3>& axis : axes(2)) QVERIFY((axis - Vec<3>(0, 0.6, 0.8)).norm() < 1e-9);
+    for (const Vec3& axis : axes(2)) QVERIFY((axis - Vec3(0, 0.6, 0.8)).norm() < 1e-9);
     QVERIFY(!m_f->session().motion().frame<3>()->material->anisotropy.empty());
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
     // Another ratio leaves every direction of a stroke as it is.
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
     MaterialLayer changed = m_f->session().document().design().material.layers[0];
-    setLayerPaint(changed, MaterialPaint{{}, Stiffness{Vec<3>::UnitZ(), 3}}, true);
+    setLayerPaint(changed, MaterialPaint{{}, Stiffness{Vec3::UnitZ(), 3}}, true);
     QCOMPARE(valuesOf(changed).paint.stiffness->axis, before[0]);
     QCOMPARE(valuesOf(changed).paint.stiffness->ratio, 3.0);
     m_f->window().actions().showMarks->setChecked(true);

@@ -30,7 +30,7 @@ class TestSpaceTools : public QObject {
 
   private:
     bool makeCurve();
-    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
+    std::vector<Vec3> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
     QPoint onCurve(double v);
     std::unique_ptr<SolidFixture> m_f;
 };
@@ -58,7 +58,7 @@ QPoint TestSpaceTools::onCurve(double v) {
 void TestSpaceTools::doubleClickInsertsACurvePoint() {
     QVERIFY(makeCurve());
     const auto before = bezierCurve<3>(curve()).pieces[0];
-    const Points<3> shape = m_f->session().motion().frame<3>()->pose;
+    const Points3 shape = m_f->session().motion().frame<3>()->pose;
     const std::size_t handles = m_f->handles().size();
     const QPoint where = onCurve(0.5);
     m_f->window().actions().pinTool->trigger();
@@ -172,7 +172,7 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     type(QString(), QStringLiteral("×"), QStringLiteral("0.8"));
     QVERIFY(settle(m_f->session()));
     QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 0.8);
-    const Vec<3> middle = m_f->pin(1);
+    const Vec3 middle = m_f->pin(1);
     double reach = 0;
     for (const int v : m_f->session().pins().verticesOf(1))
         reach = std::max(reach, (m_f->session().motion().frame<3>()->pose.col(v) - middle).norm());
@@ -276,7 +276,7 @@ void TestSpaceTools::hiddenPinsAreSelectedThrough() {
     const auto frame = m_f->session().motion().frame<3>();
     int back = -1;  // in the middle of the far side
     for (int v = 0; v < frame->vertices; ++v) {
-        const Vec<3> p = frame->pose.col(v);
+        const Vec3 p = frame->pose.col(v);
         if (std::abs(p.y() - 0.5) < 1e-9 && (back < 0 || p.norm() < frame->pose.col(back).norm())) back = v;
     }
     m_f->session().addHandle(m_f->session().pins().placementOf({back}), "Pin");

@@ -37,7 +37,7 @@ class TestSpaceUpsets : public QObject {
 
   private:
     bool makeCurve();
-    std::vector<Vec<3>> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
+    std::vector<Vec3> curve() { return lastCurve(m_f->session().document().design(), 1)->points; }
     template <class Panel>
     ExactBox* box(int index);
     std::unique_ptr<SolidFixture> m_f;
@@ -237,7 +237,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     QVERIFY(settle(m_f->session()));
     box<RegionPanel>(1)->setValue(0.2);
     const auto now = std::get<Ball<3>>(std::get<Region<3>>(m_f->handles()[2].at));
-    QVERIFY(now.centre == Vec<3>(ball.centre.x(), 0.2, ball.centre.z()));
+    QVERIFY(now.centre == Vec3(ball.centre.x(), 0.2, ball.centre.z()));
     QCOMPARE(now.radius, ball.radius);
     Design small = m_f->session().document().design();
     lastCurve(small, 1)->scale = 0.0123456;  // less than the box has
@@ -256,7 +256,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
 }
 
 void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
-    const Vec<3> axis = Vec<3>(0.31234567, 0.6, -0.2).normalized(), other = Vec<3>::UnitY();
+    const Vec3 axis = Vec3(0.31234567, 0.6, -0.2).normalized(), other = Vec3::UnitY();
     const auto regions = [&](const std::vector<std::optional<Stiffness>>& all) {
         Design next = m_f->session().document().design();
         MaterialLayer part{"part", {}};

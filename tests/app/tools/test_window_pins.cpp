@@ -69,13 +69,13 @@ void TestWindowPins::dragIsOneStepThatUndoes() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().motion().frame<2>()->pose;
+    const Points2 before = m_window->session().motion().frame<2>()->pose;
     QUndoStack& undo = *m_window->session().document().undoStack();
     const int steps = undo.count();
     dragPin(200, 80, 0, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(200, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> after = m_window->session().motion().frame<2>()->pose;
+    const Points2 after = m_window->session().motion().frame<2>()->pose;
     QCOMPARE(undo.count(), steps + 1);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(settle(m_window->session()));
@@ -90,7 +90,7 @@ void TestWindowPins::escapeEndsADrag() {
     click(40, 80);
     click(200, 80);
     QVERIFY(settle(m_window->session()));
-    const Points<2> before = m_window->session().motion().frame<2>()->pose;
+    const Points2 before = m_window->session().motion().frame<2>()->pose;
     const int steps = m_window->session().document().undoStack()->count();
     dragPin(200, 80, 0, 25);
     QTest::keyClick(&m_window->canvas(), Qt::Key_Escape);

@@ -72,7 +72,7 @@ class TestCanvas : public QObject {
 
   private:
     void bendFar();
-    QPoint pixelAt(const Vec<2>& p) const;
+    QPoint pixelAt(const Vec2& p) const;
     OpenedFile shapeless();
     void checkThatThePictureIsSeen();
 
@@ -119,17 +119,17 @@ void TestCanvas::viewMapsBothWays() {
     for (const bool up : {false, true}) {
         view.setPointsUp(up);
         view.fit({-3, 5, 20, 10}, {400, 300}, 20);
-        const Vec<2> p(2.5, 7.25);
+        const Vec2 p(2.5, 7.25);
         QVERIFY((view.toShape(view.toWidget(p)) - p).norm() < 1e-12);
         QVERIFY(QLineF(view.matrix().map(QPointF(p.x(), p.y())), view.toWidget(p)).length() < 1e-9);
-        QVERIFY((view.toShape({200, 150}) - Vec<2>(7, 10)).norm() < 1e-9);  // the middle is in the middle
+        QVERIFY((view.toShape({200, 150}) - Vec2(7, 10)).norm() < 1e-9);  // the middle is in the middle
     }
 }
 
 void TestCanvas::zoomKeepsThePointUnderThePointer() {
     ViewTransform view;
     view.fit({0, 0, 100, 100}, {400, 300}, 20);
-    const Vec<2> before = view.toShape({37, 251});
+    const Vec2 before = view.toShape({37, 251});
     view.setZoom(9.5, {37, 251});
     QVERIFY((view.toShape({37, 251}) - before).norm() < 1e-9);
     QCOMPARE(view.zoom(), 9.5);
@@ -137,7 +137,7 @@ void TestCanvas::zoomKeepsThePointUnderThePointer() {
 
 void TestCanvas::wheelZoomsToThePointer() {
     const QPointF at(200, 150);
-    const Vec<2> before = m_canvas->toShape(at);
+    const Vec2 before = m_canvas->toShape(at);
     const double zoom = m_canvas->view().zoom();
     QWheelEvent wheel(at, m_canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
@@ -162,7 +162,7 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
     m_session->gestures().end(0.5);
     QVERIFY(settle(*m_session));
     QVERIFY(seen() && m_canvas->view().zoom() < 0.9 * zoom);
-    const Points<2>& pose = m_session->motion().frame<2>()->pose;
+    const Points2& pose = m_session->motion().frame<2>()->pose;
     for (Eigen::Index v = 0; v < pose.cols(); ++v)
         QVERIFY(m_canvas->rect().contains(m_canvas->toWidget(pose.col(v)).toPoint()));
 }
@@ -187,7 +187,7 @@ void TestCanvas::paperEndsWithThePicture() {
 }
 
 void TestCanvas::middleDragPans() {
-    const Vec<2> before = m_canvas->toShape({100, 100});
+    const Vec2 before = m_canvas->toShape({100, 100});
     QTest::mousePress(m_canvas.get(), Qt::MiddleButton, {}, {100, 100});
     QTest::mouseMove(m_canvas.get(), {130, 80});
     QTest::mouseRelease(m_canvas.get(), Qt::MiddleButton, {}, {130, 80});
@@ -264,7 +264,7 @@ void TestCanvas::lightIsBlendedAsInExports() {
                 std::memcpy(image.row(y) + 16 * x, pixel.data(), 16);
             }
         const ScreenPicture screen(std::make_shared<const Image>(converted(image, {type, 4, true, false})));
-        Points<2> pose = rest.points;
+        Points2 pose = rest.points;
         pose.rightCols(4).row(0).array() -= 8;  // over the first
         View view;
         view.width = 16, view.height = 8;
@@ -304,7 +304,7 @@ void TestCanvas::mapColoursAreOrdered() {
 void TestCanvas::cellsAreFilledOnce() {
     QImage image(40, 30, QImage::Format_ARGB32_Premultiplied), expected = image;
     for (QImage* one : {&image, &expected}) one->fill(qRgba(10, 200, 90, 255));
-    Points<2> points(2, 5);
+    Points2 points(2, 5);
     points << -5, 4, 4, -5, 0.3, 2, 2, 8, 8, 4.7;  // to be doubled
     const SimplicialMesh<2> fan{points, {{0, 1, 4}, {2, 1, 4}, {4, 2, 3}, {3, 0, 4}}};
     CellFiller filler(image.size(), PaintingPlan(fan, {}), points, QTransform::fromScale(2, 3));
@@ -339,7 +339,7 @@ void TestCanvas::smoothMapGoesByMeans() {
     std::vector<double> sums(rest.vertexCount(), 0), areas(rest.vertexCount(), 0);
     for (std::size_t c = 0; c < rest.cells.size(); ++c) {
         const auto& t = rest.cells[c];
-        const Vec<2> a = rest.points.col(t[0]), u = rest.points.col(t[1]) - a, v = rest.points.col(t[2]) - a;
+        const Vec2 a = rest.points.col(t[0]), u = rest.points.col(t[1]) - a, v = rest.points.col(t[2]) - a;
         const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
         for (const int corner : t) {
             sums[corner] += area * frame->distortion->metric[c];
@@ -348,7 +348,7 @@ void TestCanvas::smoothMapGoesByMeans() {
     }
     int seen = 0;
     for (const auto& t : rest.cells) {
-        Vec<2> middle = Vec<2>::Zero();
+        Vec2 middle = Vec2::Zero();
         double place = 0;
         for (const int v : t) {
             middle += frame->pose.col(v) / 3;
@@ -562,11 +562,11 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
 
 /// Against every pair of perpendicular directions of a plane, tried one by one.
 void TestCanvas::shearIsTheRightAngleThatChangesMost() {
-    const auto most = [](const Mat<2>& F) {
+    const auto most = [](const Mat2& F) {
         double largest = 0;
         for (int i = 0; i < 3600; ++i) {
             const double a = i * std::numbers::pi / 3600;
-            const Vec<2> p = F * Vec<2>(std::cos(a), std::sin(a)), q = F * Vec<2>(-std::sin(a), std::cos(a));
+            const Vec2 p = F * Vec2(std::cos(a), std::sin(a)), q = F * Vec2(-std::sin(a), std::cos(a));
             largest = std::max(
                 largest, std::abs(90 - std::acos(p.dot(q) / p.norm() / q.norm()) * 180 / std::numbers::pi));
         }
@@ -578,16 +578,16 @@ void TestCanvas::shearIsTheRightAngleThatChangesMost() {
     };
     PosedFrame<2> flat;
     flat.rest = std::make_shared<const SimplicialMesh<2>>(
-        SimplicialMesh<2>{(Points<2>(2, 3) << 0, 2, 1, 0, 0, 1).finished(), {{0, 1, 2}}});
-    for (const Mat<2>& F : {Mat<2>{{1, 0.5}, {0, 1}}, Mat<2>{{3, 1}, {-1, 0.5}}, Mat<2>{{-1, 0.2}, {0, 1}}})
+        SimplicialMesh<2>{(Points2(2, 3) << 0, 2, 1, 0, 0, 1).finished(), {{0, 1, 2}}});
+    for (const Mat2& F : {Mat2{{1, 0.5}, {0, 1}}, Mat2{{3, 1}, {-1, 0.5}}, Mat2{{-1, 0.2}, {0, 1}}})
         QVERIFY(std::abs(shearOf(F, flat) - most(F)) < 1e-3);
-    const Mat<2> turned = 1.7 * Eigen::Rotation2Dd(0.4).toRotationMatrix();
+    const Mat2 turned = 1.7 * Eigen::Rotation2Dd(0.4).toRotationMatrix();
     QVERIFY(std::abs(shearOf(turned, flat)) < 1e-6);
     PosedFrame<3> solid;
-    solid.rest = std::make_shared<const SimplicialMesh<3>>(SimplicialMesh<3>{
-        (Points<3>(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished(), {{0, 1, 2, 3}}});
-    const Mat<3> squeezed = Vec<3>(2, 0.5, 1).asDiagonal();  // most in the plane of the first two
-    QVERIFY(std::abs(shearOf(squeezed, solid) - most(Mat<2>{{2, 0}, {0, 0.5}})) < 1e-3);
+    solid.rest = std::make_shared<const SimplicialMesh<3>>(
+        SimplicialMesh<3>{(Points3(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished(), {{0, 1, 2, 3}}});
+    const Mat3 squeezed = Vec3(2, 0.5, 1).asDiagonal();  // most in the plane of the first two
+    QVERIFY(std::abs(shearOf(squeezed, solid) - most(Mat2{{2, 0}, {0, 0.5}})) < 1e-3);
 }
 
 /// The table tells of each measure in each dimension: a name of its own, a value for every cell that its
@@ -595,8 +595,8 @@ void TestCanvas::shearIsTheRightAngleThatChangesMost() {
 void TestCanvas::everyMeasureIsComplete() {
     PosedFrame<2> frame;
     frame.rest = std::make_shared<const SimplicialMesh<2>>(
-        SimplicialMesh<2>{(Points<2>(2, 4) << 0, 1, 0, 1, 0, 0, 1, 1).finished(), {{0, 1, 2}, {1, 3, 2}}});
-    frame.pose = Mat<2>{{1.5, 0.25}, {0, 1}} * frame.rest->points;
+        SimplicialMesh<2>{(Points2(2, 4) << 0, 1, 0, 1, 0, 0, 1, 1).finished(), {{0, 1, 2}, {1, 3, 2}}});
+    frame.pose = Mat2{{1.5, 0.25}, {0, 1}} * frame.rest->points;
     frame.distortion = std::make_shared<const Distortion>(distortion<2>(*frame.rest, frame.pose));
     QStringList names;
     for (const Measure measure : measuresOf(2)) {
@@ -634,7 +634,7 @@ void TestCanvas::bendFar() {
     m_session->selection().clear();
 }
 
-QPoint TestCanvas::pixelAt(const Vec<2>& p) const {
+QPoint TestCanvas::pixelAt(const Vec2& p) const {
     const QPointF at = m_canvas->toWidget(p) * m_canvas->devicePixelRatioF();
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
 }
@@ -648,7 +648,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     QVERIFY(settle(*m_session));
     const auto frame = m_session->motion().frame<2>();
     const int cell = worstOf(*frame->distortion, Measure::Angle).cell;
-    Vec<2> pose = Vec<2>::Zero(), rest = Vec<2>::Zero();
+    Vec2 pose = Vec2::Zero(), rest = Vec2::Zero();
     for (const int v : frame->rest->cells[cell]) {
         pose += frame->pose.col(v) / 3;
         rest += frame->rest->points.col(v) / 3;
@@ -666,7 +666,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
         return places;
     };
     const auto marked = overPicture(Measure::Angle), plain = overPicture(Measure::Phi);
-    const auto near = [&](const Vec<2>& p) {
+    const auto near = [&](const Vec2& p) {
         const QPointF at = m_canvas->toWidget(p) * m_canvas->devicePixelRatioF();
         int count = 0;
         for (const auto& [x, y] : marked)
@@ -683,7 +683,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
 void TestCanvas::partsAreFramedWhereTheyAre() {
     for (const Region<3>& drawn :
          {Region<3>(Box<3>{{170, 10, 0}, {500, 300, 0}}),
-          Region<3>(Polygon{{Vec<2>(170, 10), Vec<2>(500, 10), Vec<2>(500, 300), Vec<2>(170, 300)}})}) {
+          Region<3>(Polygon{{Vec2(170, 10), Vec2(500, 10), Vec2(500, 300), Vec2(170, 300)}})}) {
         const auto next = copyOf(*m_session->document().project());
         Pin end;
         end.at = drawn;
@@ -789,7 +789,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
     const auto frame = m_session->motion().frame<2>();
     int changed = 0, all = 0;
     for (const auto& facet : facetsOf(*frame->rest)) {
-        const Vec<2> middle = (frame->pose.col(facet.vertices[0]) + frame->pose.col(facet.vertices[1])) / 2;
+        const Vec2 middle = (frame->pose.col(facet.vertices[0]) + frame->pose.col(facet.vertices[1])) / 2;
         const QPoint at = pixelAt(middle);
         if (!bare.valid(at) || qAlpha(bare.pixel(at)) < 255) continue;
         ++all;
@@ -799,7 +799,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
     QVERIFY2(changed > 0.9 * all, qPrintable(QString("%1 of %2").arg(changed).arg(all)));
     int between = 0;  // cells' middles lie on no edge
     for (const auto& cell : frame->rest->cells) {
-        Vec<2> centre = Vec<2>::Zero();
+        Vec2 centre = Vec2::Zero();
         for (const int v : cell) centre += frame->pose.col(v) / 3;
         const QPoint at = pixelAt(centre);
         between += bare.valid(at) && bare.pixel(at) != lined.pixel(at);

@@ -24,7 +24,7 @@ using namespace wend::test;
 
 /// Red, green, blue and alpha of the screen in [0, 1], colours associated.
 using Colour = Eigen::Array4d;
-using Expected = std::function<std::optional<Colour>(const Vec<2>&)>;  // nothing: not to be compared
+using Expected = std::function<std::optional<Colour>(const Vec2&)>;  // nothing: not to be compared
 
 class TestCanvasPictures : public QObject {
     Q_OBJECT
@@ -41,11 +41,11 @@ class TestCanvasPictures : public QObject {
   private:
     void open(const QString& path);
     void openCutOut(const QImage& image);
-    void drag(const std::vector<int>& pins, const Vec<2>& by);
+    void drag(const std::vector<int>& pins, const Vec2& by);
     QImage exported(const View& view);
     void canvasIsExported();
     void bend();
-    void setView(double zoom, const Vec<2>& corner);
+    void setView(double zoom, const Vec2& corner);
     void everyViewShows(const Expected& expected, int tolerance);
     void viewShows(const Expected& expected, int tolerance);
 
@@ -77,13 +77,13 @@ struct Kind {
     bool linear() const { return type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT; }
     /// Smooth, so that no filter changes it, and different in every direction; colours not associated, in the
     /// file's light.
-    Colour colourAt(const Vec<2>& p) const {
+    Colour colourAt(const Vec2& p) const {
         const double x = p.x() / width, y = p.y() / height;
         const double first = 0.15 + 0.7 * x;
         if (channels < 3) return {first, first, first, alpha() ? 0.3 + 0.6 * y : 1};
         return {first, 0.85 - 0.6 * y, 0.3 + 0.2 * (x + y), alpha() ? 0.3 + 0.6 * y : 1};
     }
-    Colour shownAt(const Vec<2>& p) const {
+    Colour shownAt(const Vec2& p) const {
         Colour colour = colourAt(p);
         if (linear()) colour.head<3>() = colour.head<3>().unaryExpr(&screenOf);
         return associated(colour);
@@ -132,9 +132,9 @@ class Decoded {
     int height() const { return m_height; }
 
     /// Between pixels; nothing where a border of what is covered may be as near as that.
-    std::optional<Colour> at(const Vec<2>& p, double near) const {
+    std::optional<Colour> at(const Vec2& p, double near) const {
         const int covered = coveredAround(p);
-        for (const Vec<2>& d : {Vec<2>(-near, 0), Vec<2>(near, 0), Vec<2>(0, -near), Vec<2>(0, near)})
+        for (const Vec2& d : {Vec2(-near, 0), Vec2(near, 0), Vec2(0, -near), Vec2(0, near)})
             if (coveredAround(p + d) != covered) return {};
         if (covered != 0 && covered != 36) return {};
         const int i = static_cast<int>(std::floor(p.x() - 0.5)),
@@ -146,7 +146,7 @@ class Decoded {
 
   private:
     /// How many of 36 pixels are not transparent.
-    int coveredAround(const Vec<2>& p) const {
+    int coveredAround(const Vec2& p) const {
         const int i = static_cast<int>(std::floor(p.x() - 0.5)),
                   j = static_cast<int>(std::floor(p.y() - 0.5));
         int covered = 0;
@@ -245,7 +245,7 @@ void TestCanvasPictures::bend() {
 }
 
 /// `corner`: what is to lie in the upper left corner of the widget.
-void TestCanvasPictures::setView(double zoom, const Vec<2>& corner) {
+void TestCanvasPictures::setView(double zoom, const Vec2& corner) {
     m_canvas->zoomTo(zoom);
     const QPoint at(m_canvas->width() / 2, m_canvas->height() / 2);
     const QPoint by = -m_canvas->toWidget(corner).toPoint();
@@ -287,7 +287,7 @@ void TestCanvasPictures::everyViewShows(const Expected& expected, int tolerance)
     m_canvas->fit();
     viewShows(expected, tolerance);
     if (QTest::currentTestFailed()) return;
-    const std::pair<double, Vec<2>> views[] = {
+    const std::pair<double, Vec2> views[] = {
         {0.21, {-300, -400}}, {1, {200, 150}}, {1, {700.5, -120}}, {4, {333, 301}}, {1, {-2000, 40}}};
     for (const auto& [zoom, corner] : views) {
         setView(zoom, corner);
@@ -330,7 +330,7 @@ void TestCanvasPictures::canvasIsTheFile() {
                   written = m_folder->filePath(kind.linear() ? "bent.exr" : "bent.png");
     writeFile(path, kind);
     open(path);
-    const auto atRest = [&](const Vec<2>& p) -> std::optional<Colour> {
+    const auto atRest = [&](const Vec2& p) -> std::optional<Colour> {
         const double near = 2 / m_canvas->view().zoom();
         const double x = std::min(p.x(), kWidth - p.x()), y = std::min(p.y(), kHeight - p.y());
         if (std::min(x, y) < -near) return Colour(0, 0, 0, 0);
@@ -340,13 +340,13 @@ void TestCanvasPictures::canvasIsTheFile() {
     everyViewShows(atRest, 2);
     if (QTest::currentTestFailed()) return;
     bend();
-    const View view{kWidth + 400, kHeight + 400, Vec<2>(-200, -200), 1};
+    const View view{kWidth + 400, kHeight + 400, Vec2(-200, -200), 1};
     const auto& frame = *m_session->motion().frame<2>();
     writeWarped(written.toStdString(),
                 WarpedPicture(*m_session->document().picture(), *frame.rest, frame.pose, view, {}));
     const Decoded file(written);
     QCOMPARE(file.width(), view.width);
-    everyViewShows([&](const Vec<2>& p) { return file.at(p - view.origin, 2 / m_canvas->view().zoom()); }, 3);
+    everyViewShows([&](const Vec2& p) { return file.at(p - view.origin, 2 / m_canvas->view().zoom()); }, 3);
 }
 
 /// A photograph of a large camera: the whole of it, and its pixels.
@@ -355,7 +355,7 @@ void TestCanvasPictures::fortyMegapixels() {
     const QString path = m_folder->filePath(QStringLiteral("large.png"));
     writeFile(path, kind);
     open(path);
-    const auto atRest = [&](const Vec<2>& p) -> std::optional<Colour> {
+    const auto atRest = [&](const Vec2& p) -> std::optional<Colour> {
         const double near = 2 / m_canvas->view().zoom();
         const double inside = std::min({p.x(), kind.width - p.x(), p.y(), kind.height - p.y()});
         if (inside < -near) return Colour(0, 0, 0, 0);
@@ -383,7 +383,7 @@ void TestCanvasPictures::openCutOut(const QImage& image) {
     QVERIFY(settle(*m_session));
 }
 
-void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec<2>& by) {
+void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec2& by) {
     m_session->selection().set(pins);
     m_session->gestures().begin();
     m_session->gestures().moveBy(inSpace(by));
@@ -437,7 +437,7 @@ void TestCanvasPictures::partsAndHolesAreBentAndExported() {
         painter.drawEllipse(disc.translated(discBy));
         return image;
     };
-    const View whole{361, 227, Vec<2>::Zero(), 1};
+    const View whole{361, 227, Vec2::Zero(), 1};
     const auto difference = [&](const QPointF& ringBy, const QPointF& discBy) {
         const QImage file = exported(whole), expected = drawn(ringBy, discBy);
         double most = 0;
@@ -481,7 +481,7 @@ void TestCanvasPictures::limbOverTheBodyIsWhole() {
     QVERIFY(hand >= 0 && m_session->addPin({250, 180, 0}) >= 0 && m_session->addPin({120, 180, 0}) >= 0);
     drag({hand}, {60, 130});
     canvasIsExported();
-    const QImage file = exported({361, 227, Vec<2>::Zero(), 1});
+    const QImage file = exported({361, 227, Vec2::Zero(), 1});
     // The body, away from its borders and from the arm, and the arm over it: nothing shines through.
     const auto& frame = *m_session->motion().frame<2>();
     int several = 0;
@@ -489,10 +489,10 @@ void TestCanvasPictures::limbOverTheBodyIsWhole() {
         for (int x = 110; x < 290; ++x) {
             int cells = 0;
             for (const Cell<2>& cell : frame.rest->cells) {
-                const Vec<2> p(x + 0.5, y + 0.5);
+                const Vec2 p(x + 0.5, y + 0.5);
                 bool inside = true;
                 for (int k = 0; k < 3; ++k) {
-                    const Vec<2> a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
+                    const Vec2 a = frame.pose.col(cell[k]), b = frame.pose.col(cell[(k + 1) % 3]);
                     inside =
                         inside && (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()) > 0;
                 }
@@ -518,7 +518,7 @@ void TestCanvasPictures::orientedPhotographsAreUpright() {
     open(path);
     const Decoded file(path);
     QCOMPARE(file.width(), orientation < 5 ? kWidth : kHeight);
-    everyViewShows([&](const Vec<2>& p) { return file.at(p, 2 / m_canvas->view().zoom()); }, 4);
+    everyViewShows([&](const Vec2& p) { return file.at(p, 2 / m_canvas->view().zoom()); }, 4);
 }
 
 QTEST_MAIN(TestCanvasPictures)

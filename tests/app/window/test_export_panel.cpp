@@ -57,8 +57,8 @@ class TestExportPanel : public QObject {
     QToolButton* kind(const QString& name);
     bool isCurrent();
     bool openToCrop();
-    void drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers = {});
-    QPointF seenAt(const Vec<3>& p);
+    void drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers = {});
+    QPointF seenAt(const Vec3& p);
     void moveWithLeft(const QPoint& to);
     Crop& crop() { return m_f->window().exporter().crop(); }
     QImage seen() {
@@ -256,8 +256,8 @@ void TestExportPanel::fitIsOneClick() {
     QVERIFY(!note->isVisible());
     QCOMPARE(panel().form().values().text("--canvas"), std::string("fit"));
     const auto frame = m_f->session().motion().frame<2>();
-    const Vec<2> low = frame->pose.rowwise().minCoeff().array().floor(),
-                 high = frame->pose.rowwise().maxCoeff().array().ceil();
+    const Vec2 low = frame->pose.rowwise().minCoeff().array().floor(),
+               high = frame->pose.rowwise().maxCoeff().array().ceil();
     QVERIFY2(
         facts().startsWith(QStringLiteral("%1 × %2 pixels").arg(high.x() - low.x()).arg(high.y() - low.y())),
         qPrintable(facts()));
@@ -301,9 +301,9 @@ bool TestExportPanel::openToCrop() {
     return m_f->window().tools().isChosen("crop") && isCurrent();
 }
 
-void TestExportPanel::drag(const Vec<2>& from, const Vec<2>& to, Qt::KeyboardModifiers modifiers) {
+void TestExportPanel::drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers modifiers) {
     ShapeCanvas& canvas = m_f->window().canvas();
-    const auto at = [&](const Vec<2>& pixel) { return canvas.toWidget(pixel).toPoint(); };
+    const auto at = [&](const Vec2& pixel) { return canvas.toWidget(pixel).toPoint(); };
     QTest::mouseMove(&canvas, at(from));
     QTest::mousePress(&canvas, Qt::LeftButton, modifiers, at(from));
     for (const double part : {0.3, 0.7, 1.0}) {
@@ -460,7 +460,7 @@ void TestExportPanel::cropIsWrittenAsItIsSeen() {
 }
 
 /// Where a point of the shape is in the view.
-QPointF TestExportPanel::seenAt(const Vec<3>& p) {
+QPointF TestExportPanel::seenAt(const Vec3& p) {
     const bool solid = m_f->session().document().dimension() == 3;
     return solid ? m_f->canvas().toWidget(p) : m_f->window().canvas().toWidget(p.head<2>());
 }
@@ -484,7 +484,7 @@ void TestExportPanel::panMovesTheView() {
     QVERIFY(m_f->window().tools().isChosen("pan"));
     QCOMPARE(view.cursor().shape(), Qt::OpenHandCursor);
     const int steps = m_f->session().document().undoStack()->index();
-    const Vec<3> middle = solid ? Vec<3>(0, 0, 0) : Vec<3>(120, 80, 0);
+    const Vec3 middle = solid ? Vec3(0, 0, 0) : Vec3(120, 80, 0);
     const QPoint from = seenAt(middle).toPoint(), by(60, -35);
     for (const bool space : {false, false, true}) {
         if (space) m_f->window().tools().setMode(Mode::Pins), QTest::keyPress(&view, Qt::Key_Space);

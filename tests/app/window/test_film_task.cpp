@@ -74,7 +74,7 @@ class TestFilmTask : public QObject {
     void key(QWidget& in, int key, Qt::KeyboardModifiers modifiers = {});
     void drag(QWidget& in, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
     void show(double time);
-    Vec<2> pin(int handle);
+    Vec2 pin(int handle);
     void pose(int handle, const QPoint& by);
     void poseLive(int handle, const QPoint& by);
     void type(QAbstractSpinBox& box, const QString& text);
@@ -119,10 +119,10 @@ void TestFilmTask::show(double time) {
     QVERIFY(std::abs(session().playback().time() - time) < 1.5 / tracks().scale().pixelsOf(1));
 }
 
-Vec<2> TestFilmTask::pin(int handle) {
+Vec2 TestFilmTask::pin(int handle) {
     for (const auto& view : session().gestures().pins())
         if (view.handle == handle) return inPlane(view.centre);
-    return Vec<2>::Zero();
+    return Vec2::Zero();
 }
 
 void TestFilmTask::pose(int handle, const QPoint& by) {
@@ -171,7 +171,7 @@ void TestFilmTask::openSample() {
 
 /// Three poses, and one more between two of them, which stay where they are.
 void TestFilmTask::setPoses() {
-    const Vec<2> rest = pin(kLeftFoot);
+    const Vec2 rest = pin(kLeftFoot);
     for (const auto& [time, by] : {std::pair{1.0, QPoint(-20, -40)}, {2.0, {30, 60}}, {3.0, {-15, -25}}}) {
         show(time);
         pose(kLeftFoot, by);
@@ -182,10 +182,10 @@ void TestFilmTask::setPoses() {
         return pin(kLeftFoot);
     };
     const double first = keys(kLeftFoot)[1], second = keys(kLeftFoot)[2];
-    const Vec<2> before = placeAt(first), after = placeAt(second);
+    const Vec2 before = placeAt(first), after = placeAt(second);
     QVERIFY((before - rest).norm() > 20 && (after - before).norm() > 20);
     show(1.5);
-    const Vec<2> between = pin(kLeftFoot);
+    const Vec2 between = pin(kLeftFoot);
     poseLive(kLeftFoot, {-30, 0});
     QCOMPARE(keys(kLeftFoot).size(), 5U);
     QVERIFY((pin(kLeftFoot) - between).norm() > 10);
@@ -198,7 +198,7 @@ void TestFilmTask::retimeAndCopy() {
     const std::array rests = {pin(kLeftFoot), pin(kRightFoot)};
     const double was = keys(kLeftFoot)[2];
     show(was);
-    const Vec<2> place = pin(kLeftFoot);
+    const Vec2 place = pin(kLeftFoot);
     const int right = qRound(tracks().scale().pixelsOf(0.25));
     drag(*tracks().viewport(), spot(kLeftFoot, was), spot(kLeftFoot, was) + QPoint(right, 0));
     const double now = keys(kLeftFoot)[2];
@@ -219,20 +219,20 @@ void TestFilmTask::retimeAndCopy() {
     QVERIFY(std::abs(keys(kRightFoot)[2] - keys(kRightFoot)[1] - apart) < 1e-9);
     session().playback().setTime(keys(kRightFoot)[2]);
     QVERIFY(settle(session()));
-    const Vec<2> moved = pin(kRightFoot), left = place - rests[0];
-    QVERIFY((moved - rests[1] - Vec<2>(-left.x(), left.y())).norm() < 1e-6);
+    const Vec2 moved = pin(kRightFoot), left = place - rests[0];
+    QVERIFY((moved - rests[1] - Vec2(-left.x(), left.y())).norm() < 1e-6);
 }
 
 /// Set late, it holds from then on, and what was there before is as before.
 void TestFilmTask::addLatePin() {
     show(3.5);
     const auto frame = session().motion().frame<2>();
-    const Vec<2> hand(1845, 775);  // of the picture at rest
+    const Vec2 hand(1845, 775);  // of the picture at rest
     int nearest = 0;
     for (int v = 1; v < frame->vertices; ++v)
         if ((frame->rest->points.col(v) - hand).norm() < (frame->rest->points.col(nearest) - hand).norm())
             nearest = v;
-    const Points<2> before = frame->pose;
+    const Points2 before = frame->pose;
     key(canvas(), Qt::Key_2, Qt::ControlModifier);
     settleLayout(canvas());
     key(canvas(), Qt::Key_P);

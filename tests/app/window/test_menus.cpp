@@ -240,7 +240,7 @@ void TestMenus::refusedDragsStayWithTheShape() {
     QVERIFY(QTest::qWaitFor([&] { return session.motion().frame()->stopped; }, 30000));
     QVERIFY(session.gestures().drag()->isStopped());
     const auto shown = session.motion().frame<2>();
-    const Vec<2> pin = inPlane(session.gestures().pins()[1].centre);
+    const Vec2 pin = inPlane(session.gestures().pins()[1].centre);
     const double gap = (shown->pose.colwise() - pin).colwise().norm().minCoeff();
     QVERIFY2(gap < 1e-6, qPrintable(QString::number(gap)));
     session.gestures().cancel();

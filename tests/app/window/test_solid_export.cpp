@@ -69,7 +69,7 @@ namespace {
 std::string objOf(const Surface& surface) {
     std::string text = "mtllib bar.mtl\nusemtl blue\nvt 0 0\n";
     for (Eigen::Index i = 0; i < surface.points.cols(); ++i) {
-        const Vec<3> p = surface.points.col(i);
+        const Vec3 p = surface.points.col(i);
         text +=
             "v " + std::to_string(p.x()) + ' ' + std::to_string(p.y()) + ' ' + std::to_string(p.z()) + '\n';
     }

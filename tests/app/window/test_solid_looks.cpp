@@ -54,7 +54,7 @@ class TestSolidLooks : public QObject {
     SolidWorkshop& solids() { return m_window->solids(); }
     SolidCanvas& canvas() { return *solids().canvas(); }
     ShapeSession& session() { return m_window->session(); }
-    QColor colourAt(const Vec<3>& p);
+    QColor colourAt(const Vec3& p);
 
     std::unique_ptr<TestFolder> m_folder;
     std::unique_ptr<MainWindow> m_window;
@@ -62,7 +62,7 @@ class TestSolidLooks : public QObject {
 
 namespace {
 
-QByteArray boxText(const Vec<3>& half, int pieces) {
+QByteArray boxText(const Vec3& half, int pieces) {
     const Surface bar = box(-half, half, pieces);
     QByteArray text;
     QTextStream out(&text);
@@ -126,7 +126,7 @@ void TestSolidLooks::open(const QString& path) {
     canvas().fit();
 }
 
-QColor TestSolidLooks::colourAt(const Vec<3>& p) {
+QColor TestSolidLooks::colourAt(const Vec3& p) {
     const QImage image = canvas().grabFramebuffer();
     return image.pixelColor((canvas().toWidget(p) * image.devicePixelRatio()).toPoint());
 }
@@ -147,7 +147,7 @@ void TestSolidLooks::cutEndsWithItsDocument() {
     const QImage whole = canvas().grabFramebuffer();
     open(project("inside.obj"));
     solids().actions().cut->trigger();
-    canvas().setCutPlane({Vec<3>::Zero(), Vec<3>::UnitX()});
+    canvas().setCutPlane({Vec3::Zero(), Vec3::UnitX()});
     canvas().grabFramebuffer();
     open(project({}));
     QCOMPARE(canvas().solid().cut(), CutKind::None);
@@ -163,9 +163,9 @@ void TestSolidLooks::sectionBesideDetailIsFilled() {
         for (const double side : {1.0, -1.0}) {
             m_window->actions().showMap->setChecked(map);
             if (canvas().solid().cut() == CutKind::None) solids().actions().cut->trigger();
-            canvas().setCutPlane({Vec<3>(0.0123, 0, 0), Vec<3>(side, 0.02, 0.01).normalized()});
+            canvas().setCutPlane({Vec3(0.0123, 0, 0), Vec3(side, 0.02, 0.01).normalized()});
             canvas().look(side > 0 ? Camera::Axis::Right : Camera::Axis::Left);
-            canvas().camera().fit(Vec<3>(-0.7, -0.7, -0.7), Vec<3>(0.7, 0.7, 0.7));
+            canvas().camera().fit(Vec3(-0.7, -0.7, -0.7), Vec3(0.7, 0.7, 0.7));
             const QColor middle = colourAt({0.0123, 0, 0});
             QVERIFY(middle.red() < 1.5 * middle.green());
             const QImage image = canvas().grabFramebuffer();
@@ -197,7 +197,7 @@ void TestSolidLooks::firstCutTakesTheNearHalf() {
     canvas().look(static_cast<Camera::Axis>(axis));
     solids().actions().cut->trigger();
     QVERIFY(canvas().solid().plane().normal.dot(canvas().viewDirection()) < -0.5);
-    const SolidHit hit = canvas().pick(canvas().toWidget(Vec<3>::Zero()));
+    const SolidHit hit = canvas().pick(canvas().toWidget(Vec3::Zero()));
     QVERIFY(hit.cell >= 0 && std::abs(canvas().solid().plane().height(hit.point)) < 1e-9);
 }
 
@@ -237,10 +237,10 @@ void TestSolidLooks::marksAreWhereVerticesAreSeen() {
     int seen = 0, hidden = 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
         const VertexMark mark = canvas().marksOf({held[i]}).front();
-        const Vec<3> rest = frame->rest->points.col(held[i]);
-        const bool inner = rest.cwiseAbs().cwiseQuotient(Vec<3>(2, 0.5, 0.5)).maxCoeff() < 1 - 1e-9;
+        const Vec3 rest = frame->rest->points.col(held[i]);
+        const bool inner = rest.cwiseAbs().cwiseQuotient(Vec3(2, 0.5, 0.5)).maxCoeff() < 1 - 1e-9;
         // Of a vertex of the border the mark lies on the box inside.
-        const double depth = mark.at.cwiseAbs().cwiseQuotient(Vec<3>(1.9, 0.4, 0.4)).maxCoeff();
+        const double depth = mark.at.cwiseAbs().cwiseQuotient(Vec3(1.9, 0.4, 0.4)).maxCoeff();
         QVERIFY(inner ? mark.at == rest : std::abs(depth - 1) < 1e-9);
         QVERIFY(rest.z() < 0.5 - 1e-9 || !mark.hidden);
         QVERIFY(rest.z() > 0.4 || rest.cwiseAbs().y() > 0.4 || std::abs(rest.x()) > 1.8 || mark.hidden);
@@ -248,7 +248,7 @@ void TestSolidLooks::marksAreWhereVerticesAreSeen() {
     }
     QVERIFY(seen > 10 && hidden > 10);
     solids().actions().cut->trigger();
-    canvas().setCutPlane({Vec<3>::Zero(), Vec<3>::UnitX()});
+    canvas().setCutPlane({Vec3::Zero(), Vec3::UnitX()});
     const auto left = canvas().marksOf(held);
     QVERIFY(left.size() > 10 && left.size() < held.size());
     for (const VertexMark& mark : left) QVERIFY(mark.at.x() <= 1e-9);
@@ -259,7 +259,7 @@ void TestSolidLooks::fitShowsPathsToo() {
     canvas().camera().zoom(5, {0, 0}, canvas().size());
     QVERIFY(!canvas().rect().contains(canvas().toWidget({0, 0, 6}).toPoint()));
     m_window->actions().fit->trigger();
-    for (const Vec<3>& p : {Vec<3>(0, 0, 6), Vec<3>(-2, 0, 0), Vec<3>(2, 0, 0)})
+    for (const Vec3& p : {Vec3(0, 0, 6), Vec3(-2, 0, 0), Vec3(2, 0, 0)})
         QVERIFY(canvas().rect().contains(canvas().toWidget(p).toPoint()));
     QVERIFY(canvas().camera().pivot().norm() < 1e-9);  // turned around the solid all the same
 }
@@ -302,7 +302,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     m_window->actions().showMap->setChecked(true);
     const auto frame = session().motion().frame<3>();
     const int worst = worstOf(*frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
-    Vec<3> centre = Vec<3>::Zero();
+    Vec3 centre = Vec3::Zero();
     for (const int v : frame->rest->cells[worst]) centre += frame->pose.col(v) / 4;
     // The picture of the marks with and without the map differs by that of the worst place.
     const auto marks = [&](bool map) {
@@ -339,7 +339,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     QVERIFY(!canvas().placeOf(*session().motion().frame(), worst));
     QVERIFY(isRing(sizeOfMark()));
     canvas().setCutKind(CutKind::Exact);
-    canvas().setCutPlane({centre, -Vec<3>::UnitY()});
+    canvas().setCutPlane({centre, -Vec3::UnitY()});
     const auto seen = canvas().placeOf(*session().motion().frame(), worst);
     QVERIFY(seen && std::abs(seen->y() - centre.y()) < 1e-9);  // on the section
     QVERIFY(isCross(sizeOfMark()));
@@ -448,7 +448,7 @@ void TestSolidLooks::mapsHaveARimOnDarkGround() {
 /// A pin on the cut-away half, one on the other, seen from the front with the near half gone.
 void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     open(project({}));
-    const auto addAt = [&](const Vec<3>& p) {
+    const auto addAt = [&](const Vec3& p) {
         const auto touched = canvas().touch(canvas().toWidget(p));
         QVERIFY(touched);
         session().addPin(std::optional(touched->place));
@@ -463,18 +463,18 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     QVERIFY(!isMarkCovered(canvas(), view(front)));
     QVERIFY(!isMarkCovered(canvas(), view(0)));  // an area of all
     canvas().setCutKind(CutKind::Exact);
-    canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
+    canvas().setCutPlane({Vec3(0, 0.1, 0), -Vec3::UnitY()});
     addAt({-1, 0.1, 0.1});  // on the face of the cut
     QVERIFY(isMarkCovered(canvas(), view(front)));
     QVERIFY(!isMarkCovered(canvas(), view(front + 1)));
     QVERIFY(!isMarkCovered(canvas(), view(0)));  // some of it is there
     const QPointF mark = canvas().onScreen(view(front).centre);
     QCOMPARE(markUnder(canvas(), mark, false), front);  // where nothing else is
-    canvas().setCutPlane({Vec<3>(0, 2, 0), -Vec<3>::UnitY()});
+    canvas().setCutPlane({Vec3(0, 2, 0), -Vec3::UnitY()});
     QVERIFY(isMarkCovered(canvas(), view(0)));
     // Of whole cells some reach beyond the plane.
     canvas().setCutKind(CutKind::WholeCells);
-    canvas().setCutPlane({Vec<3>(0, 0.1, 0), -Vec<3>::UnitY()});
+    canvas().setCutPlane({Vec3(0, 0.1, 0), -Vec3::UnitY()});
     const auto touched = canvas().touch(canvas().toWidget({0.2, 0.1, 0.1}));
     QVERIFY(touched && !canvas().isHidden(touched->place, touched->point));
 }

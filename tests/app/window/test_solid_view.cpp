@@ -76,7 +76,7 @@ void TestSolidView::turn() {
 }
 
 QPointF TestSolidView::onScreen(int axis) {
-    const QPointF way = m_f->canvas().toWidget(Vec<3>::Unit(axis)) - m_f->canvas().toWidget(Vec<3>::Zero());
+    const QPointF way = m_f->canvas().toWidget(Vec3::Unit(axis)) - m_f->canvas().toWidget(Vec3::Zero());
     return {way.x(), -way.y()};
 }
 
@@ -91,10 +91,10 @@ void TestSolidView::cameraIsKept() {
     m_f->window().actions().save->trigger();
     const QJsonObject camera = savedView()["camera"].toObject();
     QVERIFY(camera["parallel"].toBool());
-    const std::vector<Vec<3>> places = {{-2, -0.5, -0.5}, {2, 0.5, 0.5}, {0, 0, 0}, {1, -0.5, 0.5}};
+    const std::vector<Vec3> places = {{-2, -0.5, -0.5}, {2, 0.5, 0.5}, {0, 0, 0}, {1, -0.5, 0.5}};
     std::vector<QPointF> seen;
-    for (const Vec<3>& p : places) seen.push_back(m_f->canvas().toWidget(p));
-    const Vec<3> pivot = m_f->canvas().camera().pivot();
+    for (const Vec3& p : places) seen.push_back(m_f->canvas().toWidget(p));
+    const Vec3 pivot = m_f->canvas().camera().pivot();
     m_f->actions().orthographic->setChecked(false);
     m_f->canvas().look(Camera::Axis::Top);
     open(path());
@@ -105,11 +105,11 @@ void TestSolidView::cameraIsKept() {
     // Along the line of sight through the middle lie both the eye and its target.
     const auto point = [&](const char* key) {
         const QJsonValue p = camera[QLatin1String(key)];
-        return Vec<3>(p[0].toDouble(), p[1].toDouble(), p[2].toDouble());
+        return Vec3(p[0].toDouble(), p[1].toDouble(), p[2].toDouble());
     };
     const QPointF middle = m_f->canvas().rect().center() + QPointF(0.5, 0.5);
     QVERIFY(QLineF(m_f->canvas().toWidget(point("target")), middle).length() < 1);
-    const Vec<3> way = (point("target") - point("position")).normalized();
+    const Vec3 way = (point("target") - point("position")).normalized();
     QVERIFY((way - m_f->canvas().viewDirection()).norm() < 1e-5);
 }
 
@@ -142,7 +142,7 @@ void TestSolidView::fileAsItWasKeepsItsCamera() {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(project).toJson()) > 0);
     file.close();
     open(path());
-    QVERIFY((m_f->canvas().camera().pivot() - Vec<3>(1, 0, 0.25)).norm() < 1e-9);
+    QVERIFY((m_f->canvas().camera().pivot() - Vec3(1, 0, 0.25)).norm() < 1e-9);
     document().save(path());
     QCOMPARE(savedView(), view);
     turn();
@@ -155,7 +155,7 @@ void TestSolidView::cameraIsGoneWithTheNextDocument() {
     m_f->actions().oblique->trigger();
     document().save(path());
     QVERIFY(QFile::copy(path(), m_folder->filePath(QStringLiteral("other.wend"))));
-    const Vec<3> first = [&] {
+    const Vec3 first = [&] {
         open(path());
         return m_f->canvas().viewDirection();
     }();
@@ -189,20 +189,20 @@ void TestSolidView::sidesGoByTheUpAxis() {
     SolidCanvas& canvas = m_f->canvas();
     for (int up = 0; up < 3; ++up) {
         m_f->actions().upAxes[up]->trigger();
-        std::vector<Vec<3>> ways;
+        std::vector<Vec3> ways;
         for (const Axis side : {Axis::Front, Axis::Right, Axis::Back, Axis::Left}) {
             canvas.look(side);
-            QVERIFY((canvas.camera().up() - Vec<3>::Unit(up)).norm() < 1e-9);
+            QVERIFY((canvas.camera().up() - Vec3::Unit(up)).norm() < 1e-9);
             ways.push_back(canvas.viewDirection());
         }
         QVERIFY((ways[0] + ways[2]).norm() < 1e-9 && (ways[1] + ways[3]).norm() < 1e-9);
         // From the front to the right: against the clock, seen from above.
-        QVERIFY((ways[0].cross(ways[1]) - Vec<3>::Unit(up)).norm() < 1e-9);
+        QVERIFY((ways[0].cross(ways[1]) - Vec3::Unit(up)).norm() < 1e-9);
         canvas.look(Axis::Top);
-        QVERIFY((canvas.viewDirection() + Vec<3>::Unit(up)).norm() < 1e-9);
+        QVERIFY((canvas.viewDirection() + Vec3::Unit(up)).norm() < 1e-9);
         canvas.look(Axis::Front);
         turn();
-        QVERIFY(std::abs(canvas.camera().right().dot(Vec<3>::Unit(up))) < 1e-9);
+        QVERIFY(std::abs(canvas.camera().right().dot(Vec3::Unit(up))) < 1e-9);
     }
 }
 
@@ -218,7 +218,7 @@ void TestSolidView::colourMapIsSmooth() {
     m_f->window().actions().showMap->setChecked(true);
     auto* panel = m_f->window().findChild<DistortionPanel*>();
     panel->setMeasure(Measure::CellSize);
-    m_f->canvas().camera().fit(Vec<3>(-1, -0.5, -0.5), Vec<3>(1, 0.5, 0.5));
+    m_f->canvas().camera().fit(Vec3(-1, -0.5, -0.5), Vec3(1, 0.5, 0.5));
     // Neighbouring pixels that differ much: the edges of the cells.
     const auto jumps = [&] {
         const QImage image = m_f->canvas().grabFramebuffer();

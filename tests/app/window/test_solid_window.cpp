@@ -240,7 +240,7 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
 void TestSolidWindow::escapeRestoresAndUndoTakesBack() {
     QVERIFY(m_f->open());
     holdEnds();
-    const Points<3> before = m_f->session().motion().frame<3>()->pose;
+    const Points3 before = m_f->session().motion().frame<3>()->pose;
     const Vec3 pin = m_f->session().gestures().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
@@ -270,10 +270,10 @@ void TestSolidWindow::typedNumbersAreExact() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_Return);
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin) + QPoint(9, 9));
     QVERIFY(settle(m_f->session()));
-    QVERIFY((m_f->session().gestures().pins()[1].centre - pin - Vec<3>(0, 0, 0.25)).norm() < 1e-9);
+    QVERIFY((m_f->session().gestures().pins()[1].centre - pin - Vec3(0, 0, 0.25)).norm() < 1e-9);
     // Who types a number wants the straight way, not the hand's.
     const auto way = pinPaths(m_f->handles()[1], {pin}, 3).front().points;
-    for (const Vec<3>& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
+    for (const Vec3& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
 }
 
 void TestSolidWindow::longWorkIsToldAndCancelled() {
@@ -357,15 +357,15 @@ void TestSolidWindow::turningTwistsTheBar() {
     Grip grip;
     grip.kind = Grip::Kind::Turn;
     grip.centre = m_f->session().gestures().pins()[1].centre;
-    grip.axis = Vec<3>::UnitX();
+    grip.axis = Vec3::UnitX();
     m_f->session().gestures().moveAtOnce(grip, {M_PI / 2, 0, 0});
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().motion().frame()->distortion->flips, 0);
     // A corner of the turned end has gone a quarter of a circle: y → z.
     const auto frame = m_f->session().motion().frame<3>();
     for (const int v : m_f->session().pins().verticesOf(1)) {
-        const Vec<3> rest = frame->rest->points.col(v);
-        QVERIFY((frame->pose.col(v) - Vec<3>(rest.x(), -rest.z(), rest.y())).norm() < 1e-9);
+        const Vec3 rest = frame->rest->points.col(v);
+        QVERIFY((frame->pose.col(v) - Vec3(rest.x(), -rest.z(), rest.y())).norm() < 1e-9);
     }
     m_f->window().actions().showMap->setChecked(true);
     m_f->actions().oblique->trigger();
@@ -375,9 +375,9 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->session().gestures().moveAtOnce(grip, {0.5, 0, 0});
     QVERIFY(settle(m_f->session()));
     for (const int v : m_f->session().pins().verticesOf(1)) {
-        const Vec<3> rest = frame->rest->points.col(v);
+        const Vec3 rest = frame->rest->points.col(v);
         QVERIFY((m_f->session().motion().frame<3>()->pose.col(v) -
-                 Vec<3>(rest.x(), -1.5 * rest.z(), 1.5 * rest.y()))
+                 Vec3(rest.x(), -1.5 * rest.z(), 1.5 * rest.y()))
                     .norm() < 1e-9);
     }
 }
@@ -464,7 +464,7 @@ void TestSolidWindow::saveAndLoadGiveTheSameShape() {
     m_f->drag(m_f->at(m_f->session().gestures().pins()[1].centre),
               m_f->at(m_f->session().gestures().pins()[1].centre) - QPoint(30, 80));
     QVERIFY(settle(m_f->session()));
-    const Points<3> shape = m_f->session().motion().frame<3>()->pose;
+    const Points3 shape = m_f->session().motion().frame<3>()->pose;
     const QString path = m_f->folder().filePath(QStringLiteral("bar.wend"));
     m_f->session().document().save(path);
     MainWindow other;
@@ -485,7 +485,7 @@ void TestSolidWindow::cutShowsTheInsideAndMoves() {
     const QImage exact = m_f->canvas().grabFramebuffer();
     QVERIFY(exact != whole);
     m_f->picture(QStringLiteral("cut"));
-    const Vec<3> before = m_f->canvas().solid().plane().point;
+    const Vec3 before = m_f->canvas().solid().plane().point;
     const QPoint tip =
         m_f->at(before + 60 * m_f->canvas().pixelSize(before) * m_f->canvas().solid().plane().normal);
     QTest::mouseMove(&m_f->canvas(), tip);
@@ -506,9 +506,9 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     const auto painted =
         copyOf(*m_f->session().document().project());  // what is painted nowhere is seen nowhere
     MaterialRegion right;
-    right.shape = HalfSpace<3>{Vec<3>::Zero(), -Vec<3>::UnitX()};
+    right.shape = HalfSpace<3>{Vec3::Zero(), -Vec3::UnitX()};
     right.phi = phi::kAkvf;
-    right.stiffness = Stiffness{Vec<3>::UnitZ(), 30};
+    right.stiffness = Stiffness{Vec3::UnitZ(), 30};
     designOf(*painted).material.layers.push_back({"", {right}});
     m_f->session().document().change(QStringLiteral("Paint"), painted);
     m_f->session().selection().set({1});
@@ -544,11 +544,11 @@ void TestSolidWindow::curvePointsAreDragged() {
     QVERIFY(settle(m_f->session()));
     QVERIFY((m_f->session().gestures().pins()[1].centre - end).norm() < 1e-9);
     // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
-    const Vec<3> inner = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
+    const Vec3 inner = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     const QPoint from = m_f->at(inner);
     m_f->drag(from, from + QPoint(40, 0));
     QVERIFY(settle(m_f->session()));
-    const Vec<3> moved = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
+    const Vec3 moved = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     QVERIFY(std::abs((moved - inner).x() - 40 * m_f->canvas().pixelSize(inner)) <
             2 * m_f->canvas().pixelSize(inner));
     QVERIFY((m_f->session().gestures().pins()[1].centre - end).norm() < 1e-9);
@@ -628,7 +628,7 @@ void TestSolidWindow::presetsTurnTheView() {
     QVERIFY(m_f->open());
     m_f->window().actions().selectTool->trigger();  // a drag sets no pin
     const auto turns = [&](Qt::MouseButton button, const QPoint& from) {
-        const Vec<3> before = m_f->canvas().viewDirection();
+        const Vec3 before = m_f->canvas().viewDirection();
         QTest::mousePress(&m_f->canvas(), button, {}, from);
         for (int i = 1; i <= 4; ++i) QTest::mouseMove(&m_f->canvas(), from + QPoint(10 * i, 0));
         QTest::mouseRelease(&m_f->canvas(), button, {}, from + QPoint(40, 0));

@@ -518,7 +518,7 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QCOMPARE(wanted.size(), 1);
     const auto frame = session.motion().frame<3>();
     const Cell<3> cell = frame->rest->cells[wanted[0][0].toInt()];
-    Vec<3> centre = Vec<3>::Zero();
+    Vec3 centre = Vec3::Zero();
     for (const int v : cell) centre += frame->rest->points.col(v) / 4;
     QVERIFY((centre - frame->built->cage->gaps[0].place).norm() < frame->built->cage->edge);
     QVERIFY(m_f->canvas().camera().saved() != before);
@@ -552,7 +552,7 @@ void TestSurfaceWindow::whatACageCarriesIsPinned() {
     QVERIFY(snap);
     for (const bool snaps : {true, false}) {
         snap->setChecked(snaps);
-        const Vec<3> at(snaps ? 0.7 : -0.9, -0.5, 0.1);
+        const Vec3 at(snaps ? 0.7 : -0.9, -0.5, 0.1);
         QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(at));
         const auto pins = m_f->session().gestures().pins();
         QCOMPARE(pins.size(), snaps ? 1U : 2U);
@@ -589,7 +589,7 @@ void TestSurfaceWindow::detailedSurfaceIsShownAndTellsItsNotices() {
         return c.red() > 90 && c.green() < 60;
     };
     // The view is framed on the solid as it is shown: at the end of its motion.
-    QVERIFY((m_f->canvas().camera().pivot() - Vec<3>(0, 5, 0)).norm() < 0.2);
+    QVERIFY((m_f->canvas().camera().pivot() - Vec3(0, 5, 0)).norm() < 0.2);
     m_f->actions().top->trigger();
     QVERIFY(isRed());
     QCOMPARE(m_f->canvas().solid().triangles(), 2);

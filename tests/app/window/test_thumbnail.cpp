@@ -179,8 +179,8 @@ void TestThumbnail::savedProjectShowsWhatWasSeen() {
     QVERIFY(settle(session));
     session.document().save(at("bent.wend"));
     const Thumbnail bent = thumbnailOf(at("bent.wend"));
-    const Points<2>& pose = session.motion().frame<2>()->pose;
-    const Vec<2> size = pose.rowwise().maxCoeff() - pose.rowwise().minCoeff();
+    const Points2& pose = session.motion().frame<2>()->pose;
+    const Vec2 size = pose.rowwise().maxCoeff() - pose.rowwise().minCoeff();
     const double ratio = double(bent.picture.width()) / bent.picture.height();
     QVERIFY2(std::abs(ratio / (size.x() / size.y()) - 1) < 0.1, qPrintable(QString::number(ratio)));
     QVERIFY(ratio < 2.5);

@@ -113,7 +113,7 @@ void TestTutorial::isTakenByHand() {
     QCOMPARE(card().page(), 5);
     press(Qt::Key_3, Qt::ControlModifier);
     QVERIFY(settle(session));
-    const Vec<2> neck = session.motion().frame<2>()->pose.col(0);  // wherever it is now, it is of the shape
+    const Vec2 neck = session.motion().frame<2>()->pose.col(0);  // wherever it is now, it is of the shape
     drag(neck.x(), neck.y(), neck.x() + 20, neck.y() + 20);
     QCOMPARE(regionsIn(document.design()).size(), std::size_t(1));
     QCOMPARE(card().page(), 6);

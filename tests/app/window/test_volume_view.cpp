@@ -82,7 +82,7 @@ void TestVolumeView::rayAndProjectionAgree() {
         camera.setOrthographic(orthographic);
         const Ray ray = camera.ray({123.5, 77.25}, viewport);
         for (double t : {1.0, 5.0, 9.0}) {
-            const Vec<3> screen = camera.project(ray.origin + t * ray.direction, viewport);
+            const Vec3 screen = camera.project(ray.origin + t * ray.direction, viewport);
             QVERIFY((screen.head<2>() - Eigen::Vector2d(123.5, 77.25)).norm() < 1e-9);
         }
     }
@@ -91,8 +91,8 @@ void TestVolumeView::rayAndProjectionAgree() {
 void TestVolumeView::panKeepsThePointUnderThePointer() {
     Camera camera = m_view->camera();
     const QSize viewport(640, 480);
-    const Vec<3> before = camera.project(camera.pivot(), viewport);
-    const Vec<3> held = camera.pivot();
+    const Vec3 before = camera.project(camera.pivot(), viewport);
+    const Vec3 held = camera.pivot();
     camera.pan(30, -12, viewport);
     QVERIFY((camera.project(held, viewport).head<2>() - before.head<2>() - Eigen::Vector2d(30, -12)).norm() <
             1e-9);
@@ -105,7 +105,7 @@ void TestVolumeView::zoomKeepsThePointUnderThePointer() {
     const Ray ray = camera.ray(pixel, viewport);
     const double depth =
         (camera.pivot() - ray.origin).dot(camera.direction()) / ray.direction.dot(camera.direction());
-    const Vec<3> held = ray.origin + depth * ray.direction;
+    const Vec3 held = ray.origin + depth * ray.direction;
     camera.zoom(2.5, pixel, viewport);
     QVERIFY((camera.project(held, viewport).head<2>() - pixel).norm() < 1e-9);
 }
@@ -127,7 +127,7 @@ void TestVolumeView::marqueeSeesThroughOrNot() {
 
 void TestVolumeView::navigationIgnoresWhatIsUnderThePointer() {
     for (const QPoint at : {QPoint(400, 300), QPoint(10, 10)}) {
-        const Vec<3> before = m_view->camera().direction();
+        const Vec3 before = m_view->camera().direction();
         QTest::mousePress(m_view.get(), Qt::MiddleButton, {}, at);
         QTest::mouseMove(m_view.get(), at + QPoint(40, 0));
         QTest::mouseRelease(m_view.get(), Qt::MiddleButton, {}, at + QPoint(40, 0));
@@ -137,9 +137,9 @@ void TestVolumeView::navigationIgnoresWhatIsUnderThePointer() {
 
 void TestVolumeView::cutShowsTheInside() {
     const QImage whole = m_view->grabFramebuffer();
-    m_view->setCut(CutKind::WholeCells, {Vec<3>::Zero(), Vec<3>::UnitX()});
+    m_view->setCut(CutKind::WholeCells, {Vec3::Zero(), Vec3::UnitX()});
     const QImage cells = m_view->grabFramebuffer();
-    m_view->setCut(CutKind::Exact, {Vec<3>::Zero(), Vec<3>::UnitX()});
+    m_view->setCut(CutKind::Exact, {Vec3::Zero(), Vec3::UnitX()});
     const QImage exact = m_view->grabFramebuffer();
     QVERIFY(whole != cells && cells != exact);
     VolumePicture tinted = m_picture;  // the face of a cut may have a colour of its own
@@ -176,8 +176,8 @@ std::shared_ptr<Skin> plate(const QString& texture) {
     return skin;
 }
 
-QColor at(const QImage& image, const VolumeView& view, const Vec<3>& p) {
-    const Vec<3> pixel = view.camera().project(p, view.size());
+QColor at(const QImage& image, const VolumeView& view, const Vec3& p) {
+    const Vec3 pixel = view.camera().project(p, view.size());
     return image.pixelColor(int(pixel.x()), int(pixel.y()));
 }
 
@@ -284,14 +284,14 @@ void TestVolumeView::paintLiesOverASkin() {
     const QImage plain = seen(picture);
     picture.paint.opacity = 0.5;
     picture.paint.own.assign(picture.rest->cells.size(), 0);
-    picture.paint.colours = picture.paint.opacities = Points<3>::Zero(3, picture.pose.cols());
+    picture.paint.colours = picture.paint.opacities = Points3::Zero(3, picture.pose.cols());
     QVERIFY(seen(picture) == plain);
     for (Eigen::Index v = 0; v < picture.pose.cols(); ++v)
         if (picture.pose(0, v) > 0.01) picture.paint.colours(2, v) = picture.paint.opacities(0, v) = 1;
     const QImage half = seen(picture);
     picture.paint.opacity = 1;
     const QImage whole = seen(picture);
-    const Vec<3> left(-0.8, 0, 0.6), right(1.3, 0.1, 0.6);
+    const Vec3 left(-0.8, 0, 0.6), right(1.3, 0.1, 0.6);
     QCOMPARE(at(half, *m_view, left), at(plain, *m_view, left));
     const auto mean = [](int a, int b) { return (a + b) / 2; };
     const QColor a = at(plain, *m_view, right), b = at(half, *m_view, right), c = at(whole, *m_view, right);
@@ -318,7 +318,7 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
     QCOMPARE(at(image, *m_view, {-0.8, -0.1, 0.6}), nothing);
     QVERIFY(at(image, *m_view, {-0.8, 1, 0.6}).red() > 100);
     // What lies above the plane goes, of the plate and of the solid behind it.
-    m_view->setCut(CutKind::Exact, {Vec<3>::Zero(), -Vec<3>::UnitX()});
+    m_view->setCut(CutKind::Exact, {Vec3::Zero(), -Vec3::UnitX()});
     image = m_view->grabFramebuffer();
     QCOMPARE(at(image, *m_view, {-0.8, 1, 0.6}), nothing);
     QVERIFY(at(image, *m_view, {0.8, 1, 0.6}) != nothing);
@@ -336,22 +336,22 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
 void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
     auto skin = std::make_shared<Skin>();
     skin->points.resize(3, 6);
-    skin->points << Mat<3>(0.4 * Mat<3>::Identity()), Mat<3>(-0.4 * Mat<3>::Identity());
+    skin->points << Mat3(0.4 * Mat3::Identity()), Mat3(-0.4 * Mat3::Identity());
     for (int i = 0; i < 8; ++i) skin->triangles.push_back({i & 1 ? 3 : 0, i & 2 ? 4 : 1, i & 4 ? 5 : 2});
     VolumePicture picture = m_picture;
     picture.skin = skin;
     picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, skin->points);
-    const auto hitAt = [this](const Vec<3>& p) {
+    const auto hitAt = [this](const Vec3& p) {
         return m_view->pick(QPointF(m_view->camera().project(p, m_view->size()).x(),
                                     m_view->camera().project(p, m_view->size()).y()));
     };
-    const auto misses = [](const Vec<3>& p) { return std::abs(p.cwiseAbs().sum() - 0.4); };
+    const auto misses = [](const Vec3& p) { return std::abs(p.cwiseAbs().sum() - 0.4); };
     m_view->look(Camera::Axis::Top);
     m_view->setPicture(m_picture, true);
     m_view->setOrthographic(true);
     QVERIFY(std::abs(hitAt({0.1, 0.2, 0}).point.z() - 0.5) < 1e-6);
     m_view->setPicture(picture, false);
-    for (const Vec<3>& p : {Vec<3>(0.1, 0.2, 0), Vec<3>(-0.3, 0.05, 0), Vec<3>(0.02, -0.03, 0)}) {
+    for (const Vec3& p : {Vec3(0.1, 0.2, 0), Vec3(-0.3, 0.05, 0), Vec3(0.02, -0.03, 0)}) {
         const SolidHit hit = hitAt(p);
         QVERIFY(hit.cell >= 0 && misses(hit.point) < 1e-6 && hit.point.z() > 0);
         QVERIFY(PointLocator<3>(picture.pose, {picture.rest->cells[hit.cell]}).find(hit.point, 1e-6));
@@ -365,13 +365,13 @@ void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
     m_view->setPicture(picture, false);
     QCOMPARE(hitAt({-0.1, 0.1, 0}).cell, -1);
     const SolidHit moved = hitAt({1.1, 0.2, 0});
-    QVERIFY(moved.cell >= 0 && misses(moved.point - Vec<3>::UnitX()) < 1e-6);
+    QVERIFY(moved.cell >= 0 && misses(moved.point - Vec3::UnitX()) < 1e-6);
     QVERIFY(PointLocator<3>(picture.pose, {picture.rest->cells[moved.cell]}).find(moved.point, 1e-6));
-    m_view->setCut(CutKind::Exact, {Vec<3>(0, 0, -0.1), Vec<3>::UnitZ()});
+    m_view->setCut(CutKind::Exact, {Vec3(0, 0, -0.1), Vec3::UnitZ()});
     QVERIFY(std::abs(hitAt({1.1, 0.1, 0}).point.z() + 0.1) < 1e-6);  // the section of the bar
-    m_view->setCut(CutKind::Exact, {Vec<3>(1, 0, 0), Vec<3>::UnitX()});
+    m_view->setCut(CutKind::Exact, {Vec3(1, 0, 0), Vec3::UnitX()});
     QCOMPARE(hitAt({1.1, 0.1, 0}).cell, -1);
-    QVERIFY(misses(hitAt({0.9, 0.1, 0}).point - Vec<3>::UnitX()) < 1e-6);
+    QVERIFY(misses(hitAt({0.9, 0.1, 0}).point - Vec3::UnitX()) < 1e-6);
     // Of a surface that reaches out of the bar, what lies beyond the plane is not met.
     auto wide = std::make_shared<Skin>();
     wide->points.resize(3, 3);
@@ -384,7 +384,7 @@ void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
     m_view->look(Camera::Axis::Front);
     m_view->setPicture(picture, false);
     QVERIFY(std::abs(hitAt({0, 0.3, 0.8}).point.y() - 0.3) < 1e-6);
-    m_view->setCut(CutKind::Exact, {Vec<3>::Zero(), Vec<3>::UnitY()});
+    m_view->setCut(CutKind::Exact, {Vec3::Zero(), Vec3::UnitY()});
     QCOMPARE(hitAt({0, 0.3, 0.8}).cell, -1);
     m_view->setCut(CutKind::None, {});
     m_view->setOrthographic(false);
@@ -442,7 +442,7 @@ void TestVolumeView::surfacesAloneAreNotCut() {
     VolumeView view;
     view.resize(200, 200);
     view.setPicture(m_picture, true);
-    view.setCut(static_cast<CutKind>(kind), {Vec<3>::Zero(), Vec<3>::UnitX()});
+    view.setCut(static_cast<CutKind>(kind), {Vec3::Zero(), Vec3::UnitX()});
     QVERIFY(!view.solid().surface().triangles.empty());
     VolumePicture picture = m_picture;
     picture.rest = std::make_shared<const SimplicialMesh<3>>();
@@ -466,9 +466,9 @@ void TestVolumeView::anotherSolidMayHaveFewerPoints() {
     picture.facets = std::make_shared<const std::vector<Facet<3>>>(facetsOf(*one));
     picture.pose = one->points;
     view.setPicture(picture, true);
-    const Vec<3> middle = centroid<3>(one->points, first);
+    const Vec3 middle = centroid<3>(one->points, first);
     view.camera().lookAt(middle);
-    const Vec<3> screen = view.camera().project(middle, view.size());
+    const Vec3 screen = view.camera().project(middle, view.size());
     QCOMPARE(view.pick({screen.x(), screen.y()}).cell, 0);
     view.setPicture(m_picture, true);
     QCOMPARE(view.solid().surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
@@ -524,7 +524,7 @@ void TestVolumeView::missingPicturesAreToldOnce() {
 void TestVolumeView::fitShowsGlyphs() {
     m_view->look(Camera::Axis::Front);
     m_view->setPicture(m_picture, true);
-    const Vec<3> tip(6, 0, 0);
+    const Vec3 tip(6, 0, 0);
     const auto isInView = [&] {
         m_view->fit();
         return m_view->camera().project(tip, m_view->size()).x() < m_view->width();
@@ -680,14 +680,14 @@ void TestVolumeView::faceOfACutHasAnOutline() {
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Right);
     m_view->setPicture(tinted, true);
-    m_view->setCut(CutKind::Exact, {Vec<3>(0.013, 0, 0), Vec<3>::UnitX()});
+    m_view->setCut(CutKind::Exact, {Vec3(0.013, 0, 0), Vec3::UnitX()});
     const auto darkAlong = [&](double half) {
         const QImage image = m_view->grabFramebuffer();
         int dark = 0;
         for (int i = -9; i <= 9; ++i)
-            for (const Vec<3>& p : {Vec<3>(0.013, half, i / 20.), Vec<3>(0.013, -half, i / 20.),
-                                    Vec<3>(0.013, i / 20., half), Vec<3>(0.013, i / 20., -half)}) {
-                const Vec<3> pixel = m_view->camera().project(p, m_view->size());
+            for (const Vec3& p : {Vec3(0.013, half, i / 20.), Vec3(0.013, -half, i / 20.),
+                                  Vec3(0.013, i / 20., half), Vec3(0.013, i / 20., -half)}) {
+                const Vec3 pixel = m_view->camera().project(p, m_view->size());
                 int least = 255;  // at a pixel's border it may be the neighbour
                 for (int dx = -1; dx <= 1; ++dx)
                     for (int dy = -1; dy <= 1; ++dy)
@@ -739,7 +739,7 @@ void TestVolumeView::whatIsCoveredShinesThrough() {
 /// Two sheets one behind the other: a marked triangle of the second is told through the first, and looks the
 /// same where it is in front.
 void TestVolumeView::markedTrianglesShineThrough() {
-    Points<3> points(3, 6);
+    Points3 points(3, 6);
     points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
     VolumePicture picture =
         pictureOfSurface(points, {{0, 1, 2}, {3, 4, 5}}, {qRgb(200, 200, 200), qRgb(220, 30, 30)});
@@ -768,7 +768,7 @@ void TestVolumeView::markedTrianglesShineThrough() {
 /// A yellow sheet before a green one: both colours are seen, in stripes, and no olive between them; before
 /// one of its own kind it is plain.
 void TestVolumeView::marksOfTwoKindsDoNotMix() {
-    Points<3> points(3, 6);
+    Points3 points(3, 6);
     points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
     const QRgb yellow = qRgb(255, 170, 0), green = qRgb(46, 158, 92);
     VolumePicture picture = pictureOfSurface(points, {{0, 1, 2}, {3, 4, 5}}, {yellow, green});
@@ -784,7 +784,7 @@ void TestVolumeView::marksOfTwoKindsDoNotMix() {
     const auto count = [&view] {
         std::array<int, 3> found{};  // yellow, green, neither
         const QImage image = view.grabFramebuffer();
-        const Vec<3> place = view.camera().project({1, 0, -0.2}, view.size());
+        const Vec3 place = view.camera().project({1, 0, -0.2}, view.size());
         const QPoint middle = QPointF(place.x(), place.y()).toPoint();
         for (int y = -15; y <= 15; ++y)
             for (int x = -15; x <= 15; ++x) {
@@ -810,7 +810,7 @@ void TestVolumeView::rimIsAroundTheShapeAlone() {
     m_view->setPicture(picture, true);
     SurfaceStyle style = bare();
     for (const auto& cut : {CutKind::None, CutKind::Exact, CutKind::WholeCells}) {
-        m_view->setCut(cut, {Vec<3>(0.31, 0, 0), Vec<3>(1, 0.2, 0.1).normalized()});
+        m_view->setCut(cut, {Vec3(0.31, 0, 0), Vec3(1, 0.2, 0.1).normalized()});
         m_view->setStyle(style = bare());
         const QImage without = m_view->grabFramebuffer();
         style.rim = QColor(255, 255, 255, 89);
@@ -851,13 +851,13 @@ void TestVolumeView::rimIsAroundTheShapeAlone() {
 void TestVolumeView::smoothColoursChangeEvenly() {
     VolumePicture picture = m_picture;
     for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(i, i, i));
-    picture.places = Points<3>::Zero(3, picture.pose.cols());
+    picture.places = Points3::Zero(3, picture.pose.cols());
     picture.places.row(0) = (picture.pose.row(0).array() + 2) / 4;
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Top);
     m_view->setPicture(picture, true);
     for (const double height : {0.5, 0.1}) {
-        if (height < 0.5) m_view->setCut(CutKind::Exact, {Vec<3>(0, 0, height), Vec<3>::UnitZ()});
+        if (height < 0.5) m_view->setCut(CutKind::Exact, {Vec3(0, 0, height), Vec3::UnitZ()});
         const QImage image = m_view->grabFramebuffer();
         const double white = qGray(at(image, *m_view, {1.97, 0.1, height}).rgb()) / (3.97 / 4);
         QVERIFY(white > 100);
@@ -876,7 +876,7 @@ void TestVolumeView::smoothColoursOfASkin() {
     picture.skin = plate({});
     picture.embedding = std::make_shared<Embedding<3>>(*picture.rest, picture.skin->points);
     for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(0, i, 0));
-    picture.places = Points<3>::Zero(3, picture.pose.cols());
+    picture.places = Points3::Zero(3, picture.pose.cols());
     picture.places.row(0) = (picture.pose.row(0).array() + 2) / 4;
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Top);

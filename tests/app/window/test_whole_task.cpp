@@ -36,13 +36,13 @@ struct Sample;
 template <>
 struct Sample<2> {
     static constexpr const char* kName = "strip";
-    static Vec<2> place(double u, double v) { return {90 + 1820 * u, 1390 - 280 * v}; }
+    static Vec2 place(double u, double v) { return {90 + 1820 * u, 1390 - 280 * v}; }
 };
 
 template <>
 struct Sample<3> {
     static constexpr const char* kName = "bar";
-    static Vec<3> place(double u, double v) { return {9 * u, 0, v}; }
+    static Vec3 place(double u, double v) { return {9 * u, 0, v}; }
 };
 
 }  // namespace

@@ -312,7 +312,7 @@ void TestWindow::saveAndLoadGiveTheSameShape() {
     dragPin(200, 80, -5, 20);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(195, 100));
     QVERIFY(settle(m_window->session()));
-    const Points<2> shape = m_window->session().motion().frame<2>()->pose;
+    const Points2 shape = m_window->session().motion().frame<2>()->pose;
     const QString path = m_folder->filePath(QStringLiteral("bar.wend"));
     m_window->session().document().save(path);
     QVERIFY(!m_window->isWindowModified());
@@ -378,7 +378,7 @@ void TestWindow::dragsPoseAtTheShownTime() {
         return session.document().design().handles.back().motions;
     };
     const double end = session.playback().end();
-    const Points<2> last = session.motion().frame<2>()->pose;
+    const Points2 last = session.motion().frame<2>()->pose;
     m_window->tools().setMode(Mode::Animate);
     session.playback().setTime(0.5 * end);
     QVERIFY(settle(session));
@@ -473,7 +473,7 @@ void TestWindow::ringOfAPointIsSeenOnDark() {
     open();
     ShapeCanvas& canvas = m_window->canvas();
     const auto frame = m_window->session().motion().frame<2>();
-    const Vec<2> edge(120, frame->pose.row(1).minCoeff() + 4);
+    const Vec2 edge(120, frame->pose.row(1).minCoeff() + 4);
     click(edge.x(), edge.y());
     QVERIFY(settle(m_window->session()));
     canvas.viewport().set(&Looks::backdrop, QColor(Qt::black));
@@ -650,7 +650,7 @@ void TestWindow::numbersBelowThePicture() {
         return QString();
     };
     const auto placeText = [this](const QPoint& there) {
-        const Vec<2> p = m_window->canvas().toShape(there);
+        const Vec2 p = m_window->canvas().toShape(there);
         return QLocale().toString(p.x(), 'f', 1) + QStringLiteral(", ") + QLocale().toString(p.y(), 'f', 1);
     };
     dragPin(200, 80, 25, 10);
