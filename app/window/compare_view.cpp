@@ -13,6 +13,7 @@
 #include "app/base/connect_each.h"
 #include "app/engine/shape/shape.h"
 #include "app/engine/shape/shape_builder.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/domain.h"
@@ -137,7 +138,10 @@ CompareView::CompareView(const Parts& parts, QWidget* parent)
       m_ownName(new QLabel),
       m_ownTotals(secondLabel({}, nullptr)),
       m_otherTotals(secondLabel({}, nullptr)),
-      m_energy(new QComboBox),
+      m_energy(
+          choiceBox(this, "comparedEnergy", tr("Compare with"),
+                    tr("What this half keeps, or how it is without paint, with the same pins and motions."),
+                    {}, [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); })),
       m_ownHead(ownHead()),
       m_otherHead(otherHead()),
       m_other(new QWidget),
@@ -178,22 +182,15 @@ QWidget* CompareView::otherHead() {
     head->setFixedHeight(kHead);
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(12, 0, 4, 0);
-    m_energy->setObjectName(QStringLiteral("comparedEnergy"));
-    describe(m_energy, tr("Compare with"),
-             tr("What this half keeps, or how it is without paint, with the same pins and motions."));
-    connect(m_energy, &QComboBox::activated, this,
-            [this](int i) { split(m_energy->itemData(i).value<std::optional<double>>()); });
     m_energy->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_otherTotals->setObjectName(QStringLiteral("otherTotals"));
-    QToolButton* close = m_close = new QToolButton(head);
-    close->setObjectName(QStringLiteral("endComparison"));
-    close->setIcon(wendIcon(QStringLiteral("close"), palette()));
-    close->setAutoRaise(true);
-    describe(close, tr("End the comparison"), tr("Shows one shape again."));
-    connect(close, &QToolButton::clicked, this, &CompareView::join);
+    m_close = buttonFor<QToolButton>(this, "endComparison", {}, tr("Shows one shape again."),
+                                     &CompareView::join, tr("End the comparison"));
+    m_close->setIcon(wendIcon(QStringLiteral("close"), palette()));
+    m_close->setAutoRaise(true);
     row->addWidget(m_energy);
     row->addWidget(m_otherTotals, 1);
-    row->addWidget(close);
+    row->addWidget(m_close);
     return head;
 }
 

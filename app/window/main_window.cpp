@@ -50,7 +50,6 @@
 #include "app/window/actions/picture_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
-#include "app/window/actions/watched_keys.h"
 #include "app/window/compare_view.h"
 #include "app/window/export/exporter.h"
 #include "app/window/files/file_workflow.h"
@@ -274,7 +273,7 @@ void MainWindow::connectEdit() {
     connect(mesh, &MeshPanel::detailWanted, m_solidActions->chooseDetail, &QAction::trigger);
     connect(mesh, &MeshPanel::sizesWanted, m_solidActions->sizes, &QAction::trigger);
     connect(mesh, &MeshPanel::detailRemoved, m_solidActions->removeDetail, &QAction::trigger);
-    connect(&m_properties->mesh(), &MeshPanel::partChosen, this, [this](int part) {
+    connect(mesh, &MeshPanel::partChosen, this, [this](int part) {
         const auto& parts = m_session.document().domain().parts;
         m_pictureActions->pen().change(
             &OutlineSettings::part, part < 0 ? std::string() : parts.at(static_cast<std::size_t>(part)).name);

@@ -231,6 +231,17 @@ Region<3> mirrored(const Region<3>& region, const Mirror& mirror) {
     return image;
 }
 
+std::vector<CopiedKey> mirroredKeys(const ShapeFrame& frame, const std::vector<Pin>& handles,
+                                    std::vector<CopiedKey> copies) {
+    const Mirror mirror = mirrorOf(frame);
+    const std::vector<int> images = mirrorImages(frame, handles);
+    for (CopiedKey& copy : copies) {
+        copy.handle = images.at(static_cast<std::size_t>(copy.handle));
+        copy.offset = mirror.along(copy.offset);
+    }
+    return copies;
+}
+
 void mirrorPins(ShapeSession& session) {
     const FramePtr frame = session.motion().frame();
     if (!frame) return;

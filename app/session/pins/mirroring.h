@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/project/edits/key_edits.h"
 #include "app/project/pin.h"
 #include "app/session/shape_session.h"
 
@@ -27,6 +28,11 @@ Mirror mirrorOf(const ShapeFrame& frame);
 /// Returns for each handle the one that is nearest to its mirror image, which may be itself; itself if none
 /// is near.
 std::vector<int> mirrorImages(const ShapeFrame& frame, const std::vector<Pin>& handles);
+
+/// Returns mirrored copies of key poses. Each pose is given to the pin at the mirror image of its pin, or to
+/// the same pin if there is no such pin; see mirrorOf().
+std::vector<CopiedKey> mirroredKeys(const ShapeFrame& frame, const std::vector<Pin>& handles,
+                                    std::vector<CopiedKey> copies);
 
 /// Adds and selects a mirrored pin with a mirrored motion for each selected pin. Emits a notice where that is
 /// impossible.

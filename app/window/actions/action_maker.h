@@ -25,6 +25,9 @@ void onToggled(Receiver* receiver, const QAction* action, const Slot& slot, cons
     if constexpr (sizeof...(more) > 0) onToggled(receiver, more...);
 }
 
+template <class Slot>
+concept ActionSlot = std::invocable<Slot> || std::invocable<Slot, bool>;
+
 /// Makes actions with name, shortcut and help. The tooltip of a disabled action gives the reason.
 class ActionMaker : public QObject {
     Q_OBJECT
@@ -52,18 +55,14 @@ class ActionMaker : public QObject {
     QAction* addToggle(QAnyStringView id, const Words& words, const QKeySequence& keys,
                        const QString& icon = {});
     /// Make an action that calls a slot when it is triggered.
-    template <class Slot>
-    requires(std::invocable<Slot> ||
-             std::invocable<Slot, bool>) QAction* add(QAnyStringView id, const Words& words,
-                                                      const QKeySequence& keys, const Slot& slot) {
+    template <ActionSlot Slot>
+    QAction* add(QAnyStringView id, const Words& words, const QKeySequence& keys, const Slot& slot) {
         QAction* action = add(id, words, keys);
         onTriggered(this, action, slot);
         return action;
     }
-    template <class Slot>
-    requires(std::invocable<Slot> ||
-             std::invocable<Slot, bool>) QAction* addToggle(QAnyStringView id, const Words& words,
-                                                            const QKeySequence& keys, const Slot& slot) {
+    template <ActionSlot Slot>
+    QAction* addToggle(QAnyStringView id, const Words& words, const QKeySequence& keys, const Slot& slot) {
         QAction* action = addToggle(id, words, keys);
         onTriggered(this, action, slot);
         return action;

@@ -15,6 +15,7 @@
 #include "app/output/run_options.h"
 #include "app/output/shape_file.h"
 #include "app/output/svg_export.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/window/export/export_formats.h"
@@ -395,11 +396,11 @@ void ExportForm::makeFields() {
 void ExportForm::makeCropNote(Fields place) {
     m_crop->setObjectName(QStringLiteral("cropNote"));
     const QString label = tr("Fit the Can&vas");
-    auto* fit = new QPushButton(place == Fields::Beside ? label : withoutKey(label), m_crop);
+    QPushButton* fit = pushButton(
+        this, "", place == Fields::Beside ? label : withoutKey(label),
+        tr("Make the canvas as large as the shape needs, so that nothing is cut off."),
+        [this] { field("--canvas")->setValue("fit"); }, tr("Fit the canvas"));
     fit->setAutoDefault(false);
-    describe(fit, tr("Fit the canvas"),
-             tr("Make the canvas as large as the shape needs, so that nothing is cut off."));
-    connect(fit, &QPushButton::clicked, this, [this] { field("--canvas")->setValue("fit"); });
     m_cropText->setWordWrap(true);
     m_cropText->setProperty("role", "warning");
     auto* line =

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/base/connect_each.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/session/shape_motion.h"
 #include "app/window/actions/actions.h"
@@ -58,7 +59,9 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
       m_exporter(exporter),
       m_kinds(new QButtonGroup(this)),
       m_form(new ExportForm(ExportForm::Fields::Below, this)),
-      m_write(new QPushButton(tr("Export…"), this)),
+      m_write(pushButton(
+          this, "", tr("Export…"), tr("Choose a name and write what the preview shows."),
+          [this] { m_exporter.writeAs(*m_form); }, tr("Export"))),
       m_view(viewButton(actions.exportView)),
       m_film(viewButton(actions.exportFilm)) {
     addKind(ExportKind::Picture, tr("Picture"), actions.exportPicture);
@@ -77,7 +80,6 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
     for (QAbstractButton* button : m_kinds->buttons())
         (isMotion(static_cast<ExportKind>(m_kinds->id(button))) ? moving : still)->addWidget(button);
     m_write->setProperty("role", "primary");
-    describe(m_write, tr("Export"), tr("Choose a name and write what the preview shows."));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
@@ -91,7 +93,6 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
     m_soon.setInterval(kSoon);
     connectEach(this, &ExportPanel::showShape, &m_soon, &QTimer::timeout, m_kinds, &QButtonGroup::idClicked);
     connect(&m_motion.document(), &Document::opened, m_form, &ExportForm::reset);
-    connect(m_write, &QPushButton::clicked, this, [this] { m_exporter.writeAs(*m_form); });
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
     connectEach(this, &ExportPanel::ask, &m_exporter.crop(), &Crop::changed, &m_exporter,
                 &Exporter::viewTurned, &m_motion, &ShapeMotion::frameChanged, &m_motion,
@@ -111,10 +112,8 @@ void ExportPanel::addKind(ExportKind kind, const QString& name, QAction* action)
 }
 
 QPushButton* ExportPanel::viewButton(QAction* action) {
-    auto* button = new QPushButton(withoutKey(action->text()), this);
-    describe(button, withoutKey(action->text()), action->statusTip());
-    connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    return button;
+    return pushButton(this, "", withoutKey(action->text()), action->statusTip(),
+                      [action] { action->trigger(); });
 }
 
 ExportKind ExportPanel::kind() const {

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "app/base/in_background.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/session/opening.h"
 #include "app/style/theme.h"
@@ -237,7 +238,7 @@ void FileCard::paintEvent(QPaintEvent*) {
     if (m_isSolid) paintBadge(painter);
 }
 
-StartPage::StartPage(FileWorkflow& files, const QAction& tutorial, QWidget* parent)
+StartPage::StartPage(FileWorkflow& files, QAction& tutorial, QWidget* parent)
     : QWidget(parent), m_files(files) {
     auto* page = new QWidget(this);  // scrolls where the window is small
     auto* content = new QWidget(page);
@@ -271,7 +272,7 @@ StartPage::StartPage(FileWorkflow& files, const QAction& tutorial, QWidget* pare
     showRecent();
 }
 
-QWidget* StartPage::makeHeader(const QAction& tutorial) {
+QWidget* StartPage::makeHeader(QAction& tutorial) {
     auto* header = new QWidget(this);
     auto* logo = new QLabel(header);
     logo->setPixmap(
@@ -293,11 +294,10 @@ QWidget* StartPage::makeHeader(const QAction& tutorial) {
     auto* row = bareRow(header, 16);
     row->addWidget(logo);
     row->addLayout(column, 1);
-    auto* start = new QPushButton(tr("Five-minute tutorial"), header);
-    start->setObjectName(QStringLiteral("startTutorial"));
-    describe(start, start->text(), tr("The first steps on a sample, one after another."));
-    row->addWidget(start, 0, Qt::AlignVCenter);
-    connect(start, &QPushButton::clicked, &tutorial, &QAction::trigger);
+    row->addWidget(pushButton(this, "startTutorial", tr("Five-minute tutorial"),
+                              tr("The first steps on a sample, one after another."),
+                              [&tutorial] { tutorial.trigger(); }),
+                   0, Qt::AlignVCenter);
     return header;
 }
 
@@ -310,11 +310,11 @@ QWidget* StartPage::makeDropArea() {
     QFont font = text->font();
     font.setPointSizeF(font.pointSizeF() * 1.5);
     text->setFont(font);
-    auto* open = new QPushButton(tr("Open…"), m_drop);
-    open->setObjectName(QStringLiteral("startOpen"));
+    QPushButton* open =
+        pushButton(this, "startOpen", tr("Open…"), tr("Choose a picture, a flat mesh or a project."),
+                   [this] { m_files.askOpen(); });
     open->setProperty("role", "primary");
     open->setDefault(true);
-    describe(open, tr("Open…"), tr("Choose a picture, a flat mesh or a project."));
     setFocusProxy(open);  // the keyboard begins with it
     auto* kinds = secondLabel(tr("PNG, JPEG, TIFF, EXR, WebP … — cut-outs with transparency work best.\n"
                                  "PSD, ORA, KRA and SVG with their layers. Projects, meshes and solids too."),
@@ -325,7 +325,6 @@ QWidget* StartPage::makeDropArea() {
     column->addWidget(open, 0, Qt::AlignHCenter);
     column->addWidget(kinds);
     column->addStretch(1);
-    connect(open, &QPushButton::clicked, &m_files, &FileWorkflow::askOpen);
     return m_drop;
 }
 

@@ -46,12 +46,12 @@ class StartPage : public QWidget {
     Q_OBJECT
 
   public:
-    StartPage(FileWorkflow& files, const QAction& tutorial, QWidget* parent = nullptr);
+    StartPage(FileWorkflow& files, QAction& tutorial, QWidget* parent = nullptr);
     /// Highlights the drop area while a file is dragged over the window.
     void setDropHighlighted(bool highlighted);
 
   private:
-    QWidget* makeHeader(const QAction& tutorial);
+    QWidget* makeHeader(QAction& tutorial);
     QWidget* makeDropArea();
     QWidget* makeSamples();
     QWidget* makeCard(const QString& path, bool sample, QWidget* shelf);

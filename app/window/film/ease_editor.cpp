@@ -11,9 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/base/connect_each.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/ease_names.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/style/theme.h"
 #include "app/window/film/track_choice.h"
@@ -188,11 +187,10 @@ EaseEditor::EaseEditor(TrackChoice& choice, QWidget* parent)
       m_choice(choice),
       m_what(secondLabel({}, this)),
       m_plot(new EasePlot(this)),
-      m_start(new ExactBox(this)),
-      m_end(new ExactBox(this)) {
+      m_start(speedBox(tr("Speed at the start"))),
+      m_end(speedBox(tr("Speed at the end"))) {
     setObjectName(QStringLiteral("easeEditor"));
     setWindowTitle(tr("Easing Curve"));
-    makeSpeeds();
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_what);
     column->addWidget(m_plot, 1);
@@ -207,19 +205,13 @@ EaseEditor::EaseEditor(TrackChoice& choice, QWidget* parent)
     takeChoice();
 }
 
-void EaseEditor::makeSpeeds() {
-    for (ExactBox* box : {m_start, m_end}) {
-        box->setRange(3 * EasePlot::kLow * kInPercent, 3 * EasePlot::kHigh * kInPercent);
-        box->setDecimals(0);
-        box->setSingleStep(10);
-        box->setSuffix(tr(" %"));
-        box->setKeyboardTracking(false);
-    }
-    connectEach(this, &EaseEditor::typeSpeeds, m_start, &QDoubleSpinBox::valueChanged, m_end,
-                &QDoubleSpinBox::valueChanged);
-    const QString help = tr("In percent of the speed of an even move: at 0 % the pin stops there.");
-    describe(m_start, tr("Speed at the start"), help);
-    describe(m_end, tr("Speed at the end"), help);
+ExactBox* EaseEditor::speedBox(const QString& name) {
+    const Numbers numbers{3 * EasePlot::kLow * kInPercent, 3 * EasePlot::kHigh * kInPercent, 0, 10, tr(" %")};
+    ExactBox* box =
+        numberBox(this, "", name, tr("In percent of the speed of an even move: at 0 % the pin stops there."),
+                  numbers, &EaseEditor::typeSpeeds);
+    box->setKeyboardTracking(false);
+    return box;
 }
 
 QIcon EaseEditor::curveIcon(const Progress& curve) const {
@@ -243,20 +235,17 @@ QWidget* EaseEditor::makePresets() {
     auto* row = new QWidget(this);
     auto* buttons = bareRow(row, 4);
     for (const Ease ease : kEases) {
-        auto* button = new QToolButton(row);
+        const QString name = withoutKey(easeName(ease));
+        auto* button = buttonFor<QToolButton>(
+            this, "", {}, name, [this, ease] { m_choice.setProgress(progressOf(ease)); }, name);
         button->setIcon(curveIcon(progressOf(ease)));
         button->setCheckable(true);
-        describe(button, withoutKey(easeName(ease)), withoutKey(easeName(ease)));
-        connect(button, &QToolButton::clicked, this,
-                [this, ease] { m_choice.setProgress(progressOf(ease)); });
         buttons->addWidget(button);
         m_presets.push_back(button);
     }
-    auto* hold = new QToolButton(row);
-    hold->setObjectName(QStringLiteral("easeHold"));
-    hold->setText(tr("Hold"));
-    describe(hold, tr("Hold"), tr("The pin stays where it was, and goes on from there afterwards."));
-    connect(hold, &QToolButton::clicked, &m_choice, &TrackChoice::holdEased);
+    auto* hold = buttonFor<QToolButton>(this, "easeHold", tr("Hold"),
+                                        tr("The pin stays where it was, and goes on from there afterwards."),
+                                        [this] { m_choice.holdEased(); });
     buttons->addWidget(hold);
     buttons->addStretch(1);
     m_presets.push_back(hold);

@@ -70,7 +70,7 @@ class EaseEditor : public QDialog {
     EasePlot& plot() const { return *m_plot; }
 
   private:
-    void makeSpeeds();
+    ExactBox* speedBox(const QString& name);
     QWidget* makePresets();
     QIcon curveIcon(const Progress& curve) const;
     void takeChoice();

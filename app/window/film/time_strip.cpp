@@ -10,8 +10,8 @@
 
 #include "app/base/connect_each.h"
 #include "app/base/preferences.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/jump_slider.h"
-#include "app/panels/fields/number_boxes.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/edits/film_edits.h"
 #include "app/session/shape_motion.h"
@@ -97,7 +97,9 @@ TimeStrip::TimeStrip(Document& document, Playback& playback, const ShapeMotion& 
       m_loop(new QToolButton(this)),
       m_slider(new JumpSlider(this)),
       m_label(new QLabel(this)),
-      m_length(new ExactBox(this)) {
+      m_length(numberBox(this, "", tr("Length"),
+                         tr("How long the film is. The poses stay as they are, however fast it goes."),
+                         {kShortest, kLongest, 2, 0.5, tr(" s")}, &TimeStrip::changeLength)) {
     setObjectName(QStringLiteral("timeStrip"));
     setAttribute(Qt::WA_StyledBackground);
     m_slider->setRange(0, kSteps);
@@ -107,7 +109,7 @@ TimeStrip::TimeStrip(Document& document, Playback& playback, const ShapeMotion& 
     m_label->setProperty("role", "second");
     m_label->setMinimumWidth(m_label->fontMetrics().horizontalAdvance(QStringLiteral("00.00 / ")));
     m_label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    makeLength();
+    m_length->setKeyboardTracking(false);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 16, 5);
     row->setSpacing(6);
@@ -149,17 +151,6 @@ QRect TimeStrip::way() const {
 bool TimeStrip::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize || event->type() == QEvent::Move) m_tracks.scale().setWay(way());
     return QWidget::eventFilter(watched, event);
-}
-
-void TimeStrip::makeLength() {
-    m_length->setRange(kShortest, kLongest);
-    m_length->setDecimals(2);
-    m_length->setSingleStep(0.5);
-    m_length->setSuffix(tr(" s"));
-    m_length->setKeyboardTracking(false);
-    describe(m_length, tr("Length"),
-             tr("How long the film is. The poses stay as they are, however fast it goes."));
-    connect(m_length, &QDoubleSpinBox::valueChanged, this, &TimeStrip::changeLength);
 }
 
 void TimeStrip::showLength() {

@@ -77,7 +77,6 @@ class TimeStrip : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void makeLength();
     void showEnd(double end);
     void showLength();
     void changeLength();

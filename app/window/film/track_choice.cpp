@@ -2,13 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/base/connect_each.h"
 #include "app/project/design.h"
 #include "app/project/project.h"
-#include "app/session/pins/key_poses.h"
+#include "app/session/pins/mirroring.h"
 
 namespace wend {
+
+namespace {
+
+/// Returns where the pins' paths start.
+std::vector<Vec3> keyStarts(const ShownPins& pins) {
+    std::vector<Vec3> starts;
+    for (int h = 0; h < pins.count(); ++h) {
+        const auto own = pins.pathStarts(h);
+        starts.push_back(own.empty() ? Vec3(Vec3::Zero()) : meanOf(own));
+    }
+    return starts;
+}
+
+/// Returns copies for other pins: those of a single pin for the given ones, if these are others.
+std::vector<CopiedKey> forPins(const std::vector<int>& pins, const std::vector<CopiedKey>& copies) {
+    std::set<int> from;
+    for (const CopiedKey& copy : copies) from.insert(copy.handle);
+    if (from.size() != 1 || pins.empty() || std::ranges::count(pins, *from.begin()) > 0) return copies;
+    std::vector<CopiedKey> others;
+    for (CopiedKey copy : copies)
+        for (const int handle : pins) copy.handle = handle, others.push_back(copy);
+    return others;
+}
+
+}  // namespace
 
 TrackChoice::TrackChoice(ShapeSession& session, QObject* parent) : QObject(parent), m_session(session) {
     const Document& document = session.document();
@@ -171,27 +197,54 @@ void TrackChoice::hold(const std::vector<KeyId>& keys) {
     if (!keys.empty()) changeKeys(tr("Hold"), withKeysHeld(design(), keys));
 }
 
+std::vector<CopiedKey> TrackChoice::copiesOf(const std::vector<KeyId>& keys) const {
+    return copiedKeys(design(), keys, keyStarts(m_session.pins()));
+}
+
+std::vector<CopiedKey> TrackChoice::mirrored(const std::vector<CopiedKey>& copies) const {
+    const FramePtr frame = m_session.motion().frame();
+    return frame ? mirroredKeys(*frame, design().handles, copies) : std::vector<CopiedKey>();
+}
+
 void TrackChoice::copy() {
     m_copied.clear();
-    for (const CopiedKey& copy : copyKeys(m_session, m_keys.empty() ? endsOf(bars()) : keys()))
+    for (const CopiedKey& copy : copiesOf(m_keys.empty() ? endsOf(bars()) : keys()))
         m_copied.push_back({idOf(copy.handle), copy});
 }
 
-void TrackChoice::paste(double time, bool mirrored) {
+/// Sets copied poses, the first one at a time, in one undo step, and chooses the keys that there are now.
+/// Locked pins stay; poses at the start of a pin's time, where it is at rest, are left out with a notice.
+void TrackChoice::set(std::vector<CopiedKey> copies, double time, const QString& step) {
+    Document& document = m_session.document();
+    std::set<int> locked;
+    for (const CopiedKey& copy : copies)
+        if (!locked.contains(copy.handle) && !m_session.gestures().mayChange(copy.handle))
+            locked.insert(copy.handle);
+    std::erase_if(copies, [&](const CopiedKey& copy) { return locked.contains(copy.handle); });
+    std::vector<KeyId> pasted;
+    const auto next = withKeysPasted(*document.project(), copies, time, keyStarts(m_session.pins()), pasted);
+    if (pasted.size() < copies.size())
+        document.notify(ShapeSession::tr(
+            "No pose was set where a pin begins, rotates or does not hold: show another time."));
+    m_session.playback().setPlaying(false);
+    if (!pasted.empty()) document.change(step, next);
+    choose(pasted);
+}
+
+void TrackChoice::paste(double time, bool isMirrored) {
     std::vector<CopiedKey> copies;
     for (auto [pin, copy] : m_copied) copy.handle = placeOf(pin), copies.push_back(copy);
-    if (!mirrored) copies = forSelected(m_session, copies);
+    if (!isMirrored) copies = forPins(m_session.selection().handles(), copies);
     std::erase_if(copies, [](const CopiedKey& copy) { return copy.handle < 0; });
-    if (mirrored) copies = mirroredKeys(m_session, copies);
+    if (isMirrored) copies = mirrored(copies);
     if (copies.empty()) return;
-    choose(pasteKeys(m_session, copies, time, tr("Paste keys")));
+    set(std::move(copies), time, tr("Paste keys"));
     m_session.playback().setTime(time);
 }
 
 void TrackChoice::mirror() {
-    const auto copies = mirroredKeys(m_session, copyKeys(m_session, keys()));
     const double first = std::ranges::min(m_keys, {}, &std::pair<Id, double>::second).second;
-    choose(pasteKeys(m_session, copies, first, tr("Mirror keys")));
+    set(mirrored(copiesOf(keys())), first, tr("Mirror keys"));
 }
 
 // --- Progress ---
@@ -201,9 +254,12 @@ std::vector<MotionId> TrackChoice::easedMotions() const {
 }
 
 void TrackChoice::setProgress(const Progress& progress, const QString& by) {
-    if (const auto motions = easedMotions(); !motions.empty())
-        easeMotions(m_session, motions, progress, tr("Change easing"),
-                    by.isEmpty() ? by : stepName(by, motions));
+    const auto motions = easedMotions();
+    if (motions.empty()) return;
+    m_session.playback().setPlaying(false);
+    m_session.document().changeDesign(tr("Change easing"),
+                                      withProgress(design(), motions, progress, keyStarts(m_session.pins())),
+                                      by.isEmpty() ? by : stepName(by, motions));
 }
 
 void TrackChoice::holdEased() {

@@ -53,7 +53,7 @@ class TrackChoice : public QObject {
     void copy();
     bool hasCopies() const { return !m_copied.empty(); }
     /// Sets the copied keys at a time: those of a single pin on the pins that are selected now.
-    void paste(double time, bool mirrored);
+    void paste(double time, bool isMirrored);
     /// Sets the mirror images of the chosen keys at their own times.
     void mirror();
 
@@ -79,6 +79,9 @@ class TrackChoice : public QObject {
     void prune();
     QString stepName(QString what, const std::vector<MotionId>& motions) const;
     void changeKeys(const QString& what, Design after);
+    std::vector<CopiedKey> copiesOf(const std::vector<KeyId>& keys) const;
+    std::vector<CopiedKey> mirrored(const std::vector<CopiedKey>& copies) const;
+    void set(std::vector<CopiedKey> copies, double time, const QString& step);
     void hold(const std::vector<KeyId>& keys);
 
     ShapeSession& m_session;

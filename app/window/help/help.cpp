@@ -20,6 +20,7 @@
 #include "app/base/connect_each.h"
 #include "app/base/program_files.h"
 #include "app/engine/motion/playback.h"
+#include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/edits/document.h"
@@ -191,10 +192,8 @@ ManualWindow::ManualWindow(QWidget* parent)
     });
     auto* row = new QHBoxLayout;
     const auto button = [&](const QString& name, const QString& help, auto act) {
-        auto* one = new QPushButton(name, this);
+        QPushButton* one = pushButton(m_pages, "", name, help, act);
         one->setAutoDefault(false);
-        describe(one, name, help);
-        connect(one, &QPushButton::clicked, m_pages, act);
         row->addWidget(one);
         return one;
     };

@@ -19,7 +19,7 @@
 #include "app/project/edits/key_edits.h"
 #include "app/project/file/project_writer.h"
 #include "app/session/opening.h"
-#include "app/session/pins/key_poses.h"
+#include "app/session/pins/mirroring.h"
 #include "app/window/film/sound_track.h"
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"
@@ -264,7 +264,8 @@ void TestTracks::keysAreMirrored() {
 void TestTracks::mirrorImagesOfPins() {
     const std::vector<CopiedKey> copies = {
         {0, 0, Amount(1, 2, 0)}, {1, 0, Amount(3, 4, 0)}, {2, 0, Amount(5, 6, 0)}};
-    const auto images = mirroredKeys(session(), copies);
+    const auto images =
+        mirroredKeys(*session().motion().frame(), session().document().design().handles, copies);
     QCOMPARE(images[0].handle, 1);
     QCOMPARE(images[1].handle, 0);
     QCOMPARE(images[2].handle, 2);
