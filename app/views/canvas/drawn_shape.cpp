@@ -48,7 +48,7 @@ void DrawnShape::takeOpened() {
     m_source = m_pictureOf = nullptr;
     m_unbent = nullptr;
     m_drawn = nullptr;
-    const auto& picture = session().document().picture();
+    const auto& picture = document().picture();
     if (!picture) return;
     m_unbent = unbent(*picture);
     prepare(picture);
@@ -58,7 +58,7 @@ void DrawnShape::prepare(const std::shared_ptr<const Image>& picture) {
     m_source = picture;
     const auto prepare = [picture] { return std::make_shared<const ScreenPicture>(picture); };
     inBackground(this, prepare, [this, picture](const std::shared_ptr<const ScreenPicture>& prepared) {
-        if (picture == session().document().picture()) m_flat = prepared;
+        if (picture == document().picture()) m_flat = prepared;
         if (m_source != picture) return;
         m_picture = prepared;
         m_pictureOf = picture;
@@ -71,7 +71,7 @@ void DrawnShape::prepare(const std::shared_ptr<const Image>& picture) {
 void DrawnShape::takeFrame(const PosedFrame<2>& frame) {
     if (!frame.built) return;
     const auto& texture = frame.built->texture;
-    const auto& own = session().document().picture();
+    const auto& own = document().picture();
     if (!own && (!texture || m_drawn)) return;
     const auto& wanted = !own || (texture && texture->drawn) ? frame.built->picture : own;
     if (wanted != m_source) prepare(wanted);
@@ -81,13 +81,13 @@ void DrawnShape::takeFrame(const PosedFrame<2>& frame) {
 std::shared_ptr<const ScreenPicture> DrawnShape::pictureOf(const PosedPtr<2>& frame) const {
     if (!frame || frame == m_unbent || !frame->built) return frame == m_unbent ? m_flat : m_picture;
     const bool hasParts = frame->built->texture && frame->built->texture->drawn;
-    if (!hasParts) return session().document().picture() ? m_flat : m_picture;
+    if (!hasParts) return document().picture() ? m_flat : m_picture;
     return m_pictureOf == frame->built->picture ? m_picture : nullptr;
 }
 
 /// Returns whether there is what is to be drawn.
 bool DrawnShape::isReady() const {
-    return frame() && (pictureOf(frame()) || !session().document().picture());
+    return frame() && (pictureOf(frame()) || !document().picture());
 }
 
 PosedPtr<2> DrawnShape::frame() const {
@@ -98,13 +98,12 @@ PosedPtr<2> DrawnShape::frame() const {
 }
 
 CellDepths::Values DrawnShape::depths() const {
-    const auto frame = session().motion().frame<2>();
+    const auto frame = motion().frame<2>();
     if (!frame) return nullptr;
     const FramePtr& standIn = m_viewport.looks().standIn;
     const auto seen = standIn ? posed<2>(standIn) : frame;
     const auto mesh = seen->built ? drawnRest(*seen->built) : seen->rest;
-    const Document& document = session().document();
-    return m_depths.of(document.depth(), mesh, partLevels(document.domain().parts, *mesh, seen->time));
+    return m_depths.of(document().depth(), mesh, partLevels(document().domain().parts, *mesh, seen->time));
 }
 
 std::shared_ptr<const PaintingPlan> DrawnShape::plan() const {
@@ -117,9 +116,8 @@ std::shared_ptr<const PaintingPlan> DrawnShape::cellPlan() const {
     if (!depths() || !frame || !frame->built ||
         drawnRest(*frame->built)->cellCount() == frame->rest->cellCount())
         return plan();
-    const Document& document = session().document();
-    m_cellDepths.of(document.depth(), frame->rest,
-                    partLevels(document.domain().parts, *frame->rest, frame->time));
+    m_cellDepths.of(document().depth(), frame->rest,
+                    partLevels(document().domain().parts, *frame->rest, frame->time));
     return m_cellDepths.plan();
 }
 
@@ -129,16 +127,16 @@ bool DrawnShape::showsAll() const {
 }
 
 bool DrawnShape::isSettled() const {
-    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa &&
-           session().motion().frame() && m_drawn->request.frame == frame() &&
-           m_drawn->request.view == m_view && m_drawn->request.plan == plan() &&
-           (m_drawn->request.allOfPicture == showsAll() || !session().document().domain().parts.empty());
+    return m_drawn && !m_refine.isActive() && m_drawn->request.filter == Filter::Ewa && motion().frame() &&
+           m_drawn->request.frame == frame() && m_drawn->request.view == m_view &&
+           m_drawn->request.plan == plan() &&
+           (m_drawn->request.allOfPicture == showsAll() || !document().domain().parts.empty());
 }
 
 RenderRequest DrawnShape::request(Filter filter) const {
     const Looks& looks = m_viewport.looks();
     RenderRequest request;
-    request.document = session().document().generation();
+    request.document = document().generation();
     request.frame = frame();
     request.picture = pictureOf(request.frame);
     if (request.frame && request.frame->built) request.texture = request.frame->built->texture;
@@ -151,14 +149,13 @@ RenderRequest DrawnShape::request(Filter filter) const {
     request.filter = filter;
     const double pixels = request.ratio * request.ratio * request.size.width() * request.size.height();
     if (filter == Filter::Bilinear) request.coarseness = m_pace.coarseness(pixels);
-    const auto& document = session().document();
-    request.cutOut = !document.isEmpty() && document.domain().outline == OutlineKind::Alpha;
+    request.cutOut = !document().isEmpty() && document().domain().outline == OutlineKind::Alpha;
     const bool isShape = request.frame != m_unbent;
     request.mesh = isShape && (looks.mesh || !m_picture) && !looks.hidden;
     request.map = isShape && m_viewport.showsMap();
     request.colours = looks.colours;
-    if (request.map) request.plain = plainValue(session().motion(), looks.colours.measure);
-    if (request.map) request.velocity = fieldOf(session().motion(), looks.colours.measure);
+    if (request.map) request.plain = plainValue(motion(), looks.colours.measure);
+    if (request.map) request.velocity = fieldOf(motion(), looks.colours.measure);
     const Theme theme = m_viewport.theme();
     request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.ground = !m_picture                 ? theme.workspace
@@ -169,12 +166,12 @@ RenderRequest DrawnShape::request(Filter filter) const {
 }
 
 QImage DrawnShape::smallView(const QSize& size) const {
-    const auto small = smallRequest(session().motion().frame<2>(), size);
+    const auto small = smallRequest(motion().frame<2>(), size);
     return small && m_picture ? RenderThread::render(*small) : QImage();
 }
 
 std::optional<RenderRequest> DrawnShape::smallRequest(const PosedPtr<2>& frame, const QSize& size) const {
-    if (!frame || !session().motion().frame() || m_viewport.looks().standIn) return {};  // owner of the plan
+    if (!frame || !motion().frame() || m_viewport.looks().standIn) return {};  // owner of the plan
     RenderRequest small = request(Filter::Ewa);
     small.frame = frame;
     small.mesh = small.map = small.allOfPicture = false;
@@ -187,11 +184,11 @@ std::optional<RenderRequest> DrawnShape::smallRequest(const PosedPtr<2>& frame, 
 void DrawnShape::render() {
     if (!isReady()) return;
     m_renderer.post(request(Filter::Bilinear));
-    m_refine.start(session().motion().isDragging() ? kRefineInDrag : kRefineAfter);
+    m_refine.start(motion().isDragging() ? kRefineInDrag : kRefineAfter);
 }
 
 void DrawnShape::takeRendered(const std::shared_ptr<const RenderResult>& result) {
-    const bool isOld = result->request.document != session().document().generation();
+    const bool isOld = result->request.document != document().generation();
     if (isOld || !frame() || result->request.picture != pictureOf(frame())) return;
     m_drawn = result;
     if (result->request.filter == Filter::Bilinear)

@@ -53,7 +53,8 @@ class DrawnShape : public QObject {
     void prepared();
 
   private:
-    ShapeSession& session() const { return m_viewport.shape().session(); }
+    const Document& document() const { return m_viewport.shape().session().document(); }
+    const ShapeMotion& motion() const { return m_viewport.shape().session().motion(); }
     void prepare(const std::shared_ptr<const Image>& picture);
     std::shared_ptr<const ScreenPicture> pictureOf(const PosedPtr<2>& frame) const;
     bool isReady() const;
