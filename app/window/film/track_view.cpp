@@ -396,14 +396,15 @@ std::function<void()> TrackView::commandOf(const QKeyEvent& event) {
         std::function<void()> run;
     };
     const bool chosen = !m_choice->isEmpty(), copied = m_choice->hasCopies(), moves = m_scale->end() > 0;
-    const Command commands[] = {{Qt::Key_Delete, chosen, [this] { m_choice->remove(); }},
-                                {Qt::Key_E, chosen, [this] { editEase(); }},
-                                {Qt::CTRL | Qt::Key_C, chosen, [this] { m_choice->copy(); }},
-                                {Qt::CTRL | Qt::Key_V, copied, [this] { paste(false); }},
-                                {Qt::CTRL | Qt::SHIFT | Qt::Key_V, copied, [this] { paste(true); }},
-                                {Qt::Key_I, moves, [this] { m_ruler->markCycle(0); }},
-                                {Qt::Key_O, moves, [this] { m_ruler->markCycle(1); }},
-                                {Qt::SHIFT | Qt::Key_M, moves, [this] { m_ruler->addMarker(); }}};
+    const Command commands[] = {
+        {Qt::Key_Delete, chosen, [this] { m_choice->remove(); }},
+        {Qt::Key_E, chosen, [this] { editEase(); }},
+        {QKeyCombination(Qt::CTRL, Qt::Key_C), chosen, [this] { m_choice->copy(); }},
+        {QKeyCombination(Qt::CTRL, Qt::Key_V), copied, [this] { paste(false); }},
+        {Qt::CTRL | Qt::SHIFT | Qt::Key_V, copied, [this] { paste(true); }},
+        {Qt::Key_I, moves, [this] { m_ruler->markCycle(0); }},
+        {Qt::Key_O, moves, [this] { m_ruler->markCycle(1); }},
+        {QKeyCombination(Qt::SHIFT, Qt::Key_M), moves, [this] { m_ruler->addMarker(); }}};
     for (const Command& command : commands)
         if (command.can && command.keys == event.keyCombination()) return command.run;
     return {};
