@@ -11,7 +11,6 @@
 #include "app/style/smooth_map.h"
 #include "app/tools/picture_marks.h"
 #include "app/views/shape/shape_painter.h"
-#include "core/energy/distortion.h"
 
 namespace wend {
 

@@ -304,7 +304,7 @@ void TestComparison::halvesShowTheSamePart() {
         return canvas.shape().drawn() ? canvas.shape().drawn()->request : RenderRequest();
     };
     QTRY_VERIFY_WITH_TIMEOUT(mapOf(own).map && mapOf(its).map, 20000);
-    QCOMPARE(mapOf(its).range.high, mapOf(own).range.high);
+    QCOMPARE(mapOf(its).colours.range.high, mapOf(own).colours.range.high);
     QTest::keyClick(&own, Qt::Key_Y);
     QVERIFY(!view().isSplit() && !its.isVisible());
 }
