@@ -14,7 +14,6 @@
 #include "app/window/actions/toolbox.h"
 #include "app/window/main_window.h"
 #include "app/window/solid_workshop.h"
-#include "core/energy/distortion.h"
 #include "tests/support/contrast.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/window_fixture.h"
