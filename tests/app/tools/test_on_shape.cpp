@@ -116,8 +116,9 @@ double disc(double x, double y) {
 
 RenderRequest requestOf(const std::shared_ptr<const SimplicialMesh<2>>& mesh, const Points2& pose) {
     auto frame = std::make_shared<PosedFrame<2>>();
-    frame->dimension = 2;
     frame->rest = mesh;
+    frame->vertices = mesh->vertexCount();
+    frame->cells = mesh->cellCount();
     frame->pose = pose;
     frame->diagonal = 170;
     frame->distortion = std::make_shared<const Distortion>(distortion<2>(*mesh, pose));
