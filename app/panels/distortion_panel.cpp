@@ -137,8 +137,7 @@ void DistortionPanel::makeControls() {
 void DistortionPanel::makeDetails() {
     m_smooth = checkBox(this, "mapSmooth", tr("Smooth colo&urs"),
                         tr("Blends the colours of the overlay from cell to cell. If off, each cell has the "
-                           "one colour of its "
-                           "value."),
+                           "one colour of its value."),
                         [this](bool on) {
                             preferences::mapSmooth.set(on);
                             emit smoothChanged(on);

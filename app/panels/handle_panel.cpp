@@ -320,7 +320,7 @@ std::optional<double> RegionPanel::radius() const {
     return holdsPoint(m_session, m_session.selection().single()) ? std::optional(0.0) : std::nullopt;
 }
 
-/// Applies the region. Consecutive numbers merge into one undo step. A region without vertices is rejected.
+/// Applies the region; changes in a row merge into one undo step. A region without vertices is rejected.
 void RegionPanel::apply(const Region<3>& next) {
     const FramePtr frame = m_session.motion().frame();
     const auto now = region();

@@ -98,8 +98,8 @@ void LayerPanel::makeChips() {
                   [move] { move(-1); });
     m_remove = chip(this, "layerRemove", tr("Remove"), tr("Removes the chosen layer."), &LayerPanel::remove);
     m_pictureMenu = new QToolButton(this);
-    say(m_pictureMenu, "layerPictures", tr("Pictures"),
-        tr("Imports the material from pictures made in a paint program, and exports it as such."));
+    setWords(m_pictureMenu, "layerPictures", tr("Pictures"),
+             tr("Imports the material from pictures made in a paint program, and exports it as such."));
     m_pictureMenu->setProperty("role", "chip");
     m_pictureMenu->setPopupMode(QToolButton::InstantPopup);
     m_readAgain =
@@ -110,7 +110,7 @@ void LayerPanel::makeChips() {
 
 void LayerPanel::makeControls() {
     m_hasPhi = new QCheckBox(m_paint);
-    say(m_hasPhi, "", tr("Keep"), tr("Whether the layer changes Keep, and to what."));
+    setWords(m_hasPhi, "", tr("Keep"), tr("Whether the layer changes Keep, and to what."));
     m_phi = new EnergySlider(m_paint);
     m_ratio = stiffnessField(
         tr("How many times stiffer the layer is along its direction; ×1 is the same as everywhere."),

@@ -96,10 +96,10 @@ void RegionList::makeControls() {
                               tr("Greater than 0 lies in front, less than 0 behind."),
                               {range.min, range.max, 1}, change);
     m_add = new QToolButton(this);
-    say(m_add, isDetail() ? "detailAdd" : "depthAdd", tr("Add"),
-        tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
-           "its numbers can then be changed."),
-        tr("Add region"));
+    setWords(m_add, isDetail() ? "detailAdd" : "depthAdd", tr("Add"),
+             tr("A ball, a box or a half-space in the middle, or what the selected handle holds as a region; "
+                "its numbers can then be changed."),
+             tr("Add region"));
     m_add->setPopupMode(QToolButton::InstantPopup);
     m_add->setProperty("role", "chip");
     m_remove = chip(this, isDetail() ? "detailRemove" : "depthRemove", tr("Remove"),
@@ -152,7 +152,7 @@ void RegionList::change(const QString& step, ValueLayers layers, const QString& 
                : document.changeDepth(step, std::move(layers), key);
 }
 
-/// Consecutive numbers merge into one undo step.
+/// Changes of the numbers in a row merge into one undo step.
 void RegionList::changeShape(const Region<3>& shape, double feather) {
     change(tr("Change region"),
            withLayer(layers(), chosenId(),
@@ -256,8 +256,7 @@ void RegionList::showNotes() {
         if (!domain.refineSurface)
             notes << tr(
                 "The surface's triangles are kept, and only the inside changes. “Refine surface” in the "
-                "panel "
-                "“Mesh” allows them to be split, too.");
+                "panel “Mesh” allows them to be split, too.");
     }
     m_note->setText(notes.join(QLatin1Char('\n')));
     m_note->setVisible(!notes.isEmpty());

@@ -5,7 +5,6 @@
 #include "app/base/shared_value.h"
 #include "app/project/id.h"
 #include "core/energy/material.h"
-#include "core/mesh/region.h"
 
 namespace wend {
 

@@ -28,7 +28,7 @@ class ShapeSession : public QObject {
     ShapeMotion& motion() { return m_motion; }
     const ShapeMotion& motion() const { return m_motion; }
     const ShownPins& pins() const { return m_pins; }
-    /// How the selected handles are moved.
+    /// Returns the gestures that move the selected handles.
     ShapeGesture& gestures() { return m_gesture; }
     const ShapeGesture& gestures() const { return m_gesture; }
 

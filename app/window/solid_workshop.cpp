@@ -166,7 +166,7 @@ void SolidWorkshop::showDomain() {
         m_around.actions.pinTool->setChecked(true);
 }
 
-void SolidWorkshop::tellFailed(const QString& text) {
+void SolidWorkshop::showFailure(const QString& text) {
     m_around.banner.tell(InfoBanner::Topic::Export, text);
 }
 
@@ -177,7 +177,7 @@ void SolidWorkshop::exportView() {
 void SolidWorkshop::exportFilm() {
     const ShapeMotion& motion = m_around.session.motion();
     if (!motion.frame() || motion.isBusy() || motion.isStale())
-        return tellFailed(tr("The shape is still being computed. Try again in a moment."));
+        return showFailure(tr("The shape is still being computed. Try again in a moment."));
     const Document& document = motion.document();
     const double end = m_around.session.playback().end();
     askForView(FilmSubject{document.project(), end, document.folder().toStdString()});
@@ -202,7 +202,7 @@ void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
         m_around.banner.clear(InfoBanner::Topic::Export);  // an export that failed before has its file now
         m_around.session.document().notify(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     } catch (const std::exception& error) {
-        tellFailed(tr("Nothing was written. %1").arg(said(error)));
+        showFailure(tr("Nothing was written. %1").arg(said(error)));
     }
 }
 

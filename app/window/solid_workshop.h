@@ -68,7 +68,7 @@ class SolidWorkshop : public QObject {
     void connectNavigation();
     void connectCut();
     void showCut();
-    void tellFailed(const QString& text);
+    void showFailure(const QString& text);
     void holdBeyondCut();
 
     Surroundings m_around;

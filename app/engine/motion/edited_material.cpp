@@ -5,6 +5,7 @@
 
 #include "app/engine/shape/material_raster.h"
 #include "app/engine/shape/mesh_parts.h"
+#include "app/project/edits/layer_edits.h"
 
 namespace wend {
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr double kSameMaterial = 1e-9;  // relative to the material
 constexpr double kUnseen = 0.02;        // of a layer's cover
+
+bool isWhollyHidden(const MaterialLayer& layer) {
+    return std::ranges::all_of(layer.regions, &MaterialRegion::hidden);
+}
 
 template <int Dim>
 double distanceOf(const Region<3>& region, const Vec3& p) {
@@ -69,8 +74,9 @@ Design withErased(const Design& design, std::span<const Eraser> erasers, const S
                   const std::string& folder) {
     Design next = design;
     for (MaterialLayer& layer : next.material.layers)
-        if (!layer.isHidden()) layer.regions = erased<Dim>(layer, erasers, rest, folder);
+        if (!isWhollyHidden(layer)) layer.regions = erased<Dim>(layer, erasers, rest, folder);
     std::erase_if(next.material.layers, [](const MaterialLayer& layer) { return layer.regions.empty(); });
+    keepApart(next.material.layers);
     return next;
 }
 
@@ -78,9 +84,10 @@ template <int Dim>
 Design withoutErasedLayers(const Design& design, const SimplicialMesh<Dim>& rest, const std::string& folder) {
     Design next = design;
     std::erase_if(next.material.layers, [&](const MaterialLayer& layer) {
-        return layer.erases() && !layer.isHidden() &&
+        return layer.erases() && !isWhollyHidden(layer) &&
                std::ranges::max(coverOf<Dim>(layer, rest, folder)) < kUnseen;
     });
+    keepApart(next.material.layers);
     return next;
 }
 

@@ -4,8 +4,8 @@
 
 namespace wend {
 
-void say(QAbstractButton* button, const char* id, const QString& text, const QString& help,
-         const QString& name) {
+void setWords(QAbstractButton* button, const char* id, const QString& text, const QString& help,
+              const QString& name) {
     button->setText(text);
     describe(button, id, name.isEmpty() ? withoutKey(text) : name, help);
 }

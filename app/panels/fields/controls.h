@@ -5,7 +5,6 @@
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
-#include <initializer_list>
 
 #include "app/panels/fields/number_boxes.h"
 
@@ -23,8 +22,9 @@ struct Numbers {
     QString unit = {};
 };
 
-void say(QAbstractButton* button, const char* id, const QString& text, const QString& help,
-         const QString& name = {});
+/// Sets the text of a button, and describes it.
+void setWords(QAbstractButton* button, const char* id, const QString& text, const QString& help,
+              const QString& name = {});
 void describe(QWidget* field, const char* id, const QString& name, const QString& help);
 void limit(QDoubleSpinBox* box, const Numbers& numbers);
 
@@ -32,7 +32,7 @@ template <class Button, class Panel, class Slot>
 Button* buttonFor(Panel* panel, const char* id, const QString& text, const QString& help, const Slot& slot,
                   const QString& name = {}) {
     auto* button = new Button(panel);
-    say(button, id, text, help, name);
+    setWords(button, id, text, help, name);
     QObject::connect(button, &QAbstractButton::clicked, panel, slot);
     return button;
 }
@@ -57,7 +57,7 @@ template <class Panel, class Slot>
 QCheckBox* checkBox(Panel* panel, const char* id, const QString& text, const QString& help,
                     const Slot& slot) {
     auto* box = new QCheckBox(panel);
-    say(box, id, text, help);
+    setWords(box, id, text, help);
     QObject::connect(box, &QCheckBox::toggled, panel, slot);
     return box;
 }

@@ -169,12 +169,14 @@ void Document::changeDesign(const QString& name, Design after, const QString& me
 }
 
 void Document::changeSizes(const QString& name, ValueLayers after, const QString& mergeKey) {
+    if (after == m_project->domain.sizes) return;
     Project next = *m_project;
     next.domain.sizes = std::move(after);
     change(name, std::move(next), mergeKey);
 }
 
 void Document::changeDepth(const QString& name, ValueLayers after, const QString& mergeKey) {
+    if (after == m_project->depth) return;
     Project next = *m_project;
     next.depth = std::move(after);
     change(name, std::move(next), mergeKey);

@@ -124,8 +124,12 @@ Project withDepthName(const Project& project, Id layer, const std::string& wish)
     std::vector<std::string> taken = namesOf(next.design.handles);
     std::erase(taken, own->name);
     next.depth = withLayerName(project.depth, layer, wish, taken);
+    const std::string name = layerOf(next.depth, layer)->name;
+    bool isOfHandle = false;
     for (Pin& handle : next.design.handles)
-        if (!own->name.empty() && handle.name == own->name) handle.name = layerOf(next.depth, layer)->name;
+        if (!own->name.empty() && handle.name == own->name) handle.name = name, isOfHandle = true;
+    for (ValueLayer& other : next.depth)  // all that the handle gives
+        if (isOfHandle && other.name == own->name) other.name = name;
     return next;
 }
 

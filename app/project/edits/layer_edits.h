@@ -27,6 +27,16 @@ std::string freeLayerName(const std::vector<Layer>& layers, Id id, const std::st
     return std::ranges::count(taken, wish) ? freeName(taken, wish, 2) : wish;
 }
 
+/// Gives a layer of the material another name where the one directly below it has the same: a file would join
+/// them, and the erasers of the upper one would take paint from both.
+inline void keepApart(std::vector<MaterialLayer>& layers) {
+    for (std::size_t i = 1; i < layers.size(); ++i)
+        if (!layers[i].name.empty() && layers[i].name == layers[i - 1].name)
+            layers[i].name = freeLayerName(layers, layers[i].id, layers[i].name);
+}
+/// Layers of one name and value mean the same when they are joined.
+inline void keepApart(std::vector<ValueLayer>&) {}
+
 /// Returns the layers with a change of one of them; all as they are if it is not there.
 template <class Layer, class Change>
 std::vector<Layer> withLayer(std::vector<Layer> layers, Id id, const Change& change) {
@@ -50,12 +60,14 @@ std::vector<Layer> withLayerMoved(std::vector<Layer> layers, Id id, int by) {
         layers.begin() + std::clamp<std::ptrdiff_t>(at - layers.begin() + by, 0, std::ssize(layers) - 1);
     if (to > at) std::rotate(at, at + 1, to + 1);
     if (to < at) std::rotate(to, at, at + 1);
+    keepApart(layers);
     return layers;
 }
 
 template <class Layer>
 std::vector<Layer> withoutLayer(std::vector<Layer> layers, Id id) {
     std::erase_if(layers, [&](const Layer& layer) { return layer.id == id; });
+    keepApart(layers);
     return layers;
 }
 

@@ -75,6 +75,7 @@ std::optional<std::vector<MaterialLayer>> withLayerMergedDown(std::vector<Materi
         return {};
     std::ranges::move(upper->regions, std::back_inserter(lower.regions));
     layers.erase(upper);
+    keepApart(layers);
     return layers;
 }
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "app/project/design.h"
 #include "app/project/edits/free_name.h"
@@ -88,10 +89,11 @@ ValueLayers withHandleDepth(ValueLayers depth, const Design& design, const std::
         const std::string& name = design.handles[h].name;
         std::erase_if(depth, [&](const ValueLayer& layer) { return !name.empty() && layer.name == name; });
         if (order == 0) continue;
-        ValueLayer layer{name, order, {}};
-        for (const Region<3>& shape : shapesOf(design.handles, h, size))
-            layer.regions.push_back({shape, 0, design.handles[h].part});
-        if (!layer.regions.empty()) depth.push_back(std::move(layer));
+        bool isFirst = true;
+        for (const Region<3>& shape : shapesOf(design.handles, h, size)) {
+            if (std::exchange(isFirst, false) || name.empty()) depth.push_back({name, order, {}});
+            depth.back().regions.push_back({shape, 0, design.handles[h].part});
+        }
     }
     return depth;
 }

@@ -12,7 +12,8 @@ namespace wend {
 // Edits of the sizes of cells and of the depth of a project.
 
 /// Adds a stroke of balls with a factor of the lengths of edges on top of all layers, named "Stroke 1",
-/// "Stroke 2" …, and removes regions that it covers completely.
+/// "Stroke 2" …, and removes regions that it covers completely. Where nothing is left, a stroke of the value
+/// that there is elsewhere adds nothing.
 ValueLayers withSizeStroke(ValueLayers sizes, std::vector<SoftRegion> stroke, double factor);
 /// Adds a region on top of all layers, named "Region 1", "Region 2" …
 ValueLayers withSizeRegion(ValueLayers sizes, const Region<3>& shape, double factor);

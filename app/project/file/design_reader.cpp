@@ -140,8 +140,7 @@ JsonValue readSoftRegion(JsonObject& object, std::string& name, SoftRegion& regi
     if (auto given = object.find("name")) name = given->text();
     const JsonValue shape = object.require("shape");
     region.shape = readRegion(shape);
-    if (auto part = object.value().dimension() == 2 ? object.find("part") : std::nullopt)
-        region.part = part->text();
+    if (auto part = object.find("part")) region.part = part->text();
     return shape;
 }
 

@@ -2,10 +2,10 @@
 
 #include <QLocale>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/base/in_background.h"
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
 #include "app/style/smooth_map.h"

@@ -24,7 +24,6 @@ PosedPtr<2> unbent(const Image& picture) {
     rest->points << 0, w, w, 0, 0, 0, h, h;
     rest->cells = {{0, 1, 2}, {0, 2, 3}};
     auto frame = std::make_shared<PosedFrame<2>>();
-    frame->dimension = 2;
     frame->rest = rest;
     frame->pose = rest->points;
     frame->distortion = std::make_shared<const Distortion>(distortion<2>(*rest, rest->points));

@@ -146,9 +146,10 @@ std::pair<std::vector<DrawVertex>, std::vector<DrawVertex>> SolidLook::glyphs(co
                                                                               const DrawnSolid& solid) const {
     const Looks& looks = m_viewport.looks();
     std::vector<DrawVertex> triangles, ellipsoids;
-    if (looks.arrows && !looks.hidden)
-        triangles = velocityArrows(frame, motion().velocity(), solid.surface(),
-                                   isOnDark() ? kArrowOnDark : kArrowColour);
+    const Eigen::MatrixXd velocity = looks.arrows && !looks.hidden ? motion().velocity() : Eigen::MatrixXd();
+    if (velocity.cols() == frame.pose.cols())
+        triangles =
+            velocityArrows(frame, velocity, solid.surface(), isOnDark() ? kArrowOnDark : kArrowColour);
     if (looks.marks && !looks.hidden) {
         ellipsoids = stiffnessEllipsoids(frame, solid.surface(), kGlyphColour);
         triangles.insert(triangles.end(), ellipsoids.begin(), ellipsoids.end());

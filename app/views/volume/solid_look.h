@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointer>
+#include <utility>
 
 #include "app/engine/motion/frame.h"
 #include "app/engine/shape/pose_faults.h"
@@ -12,8 +13,7 @@ namespace wend {
 class SolidCanvas;
 class VolumeView;
 
-/// How the frames of a solid look in a view, by its looks: their colours, those of a map or paint, and
-/// glyphs.
+/// Makes the colours, map, paint and glyphs of a solid's frames, as the looks of a view ask for.
 class SolidLook {
   public:
     explicit SolidLook(const Viewport& viewport) : m_viewport(viewport) {}

@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// What is painted over a solid: pins, paths, names, tools and the legend. It is transparent to the mouse.
+/// Paints pins, paths, names, tools and the legend over a solid. The widget is transparent to the mouse.
 class SolidOverlay : public QWidget {
   public:
     explicit SolidOverlay(SolidCanvas& canvas);

@@ -19,7 +19,6 @@
 #include <QToolButton>
 #include <QToolTip>
 #include <QWidget>
-#include <QWidgetAction>
 #include <algorithm>
 #include <utility>
 

@@ -342,7 +342,7 @@ QWidget* StartPage::makeSamples() {
 
 QWidget* StartPage::makeCard(const QString& path, bool sample, QWidget* shelf) {
     auto* card = new FileCard(path, sample ? FileCard::Kind::Sample : FileCard::Kind::Recent, shelf);
-    connect(card, &FileCard::clicked, &m_files, [this, path] { m_files.open(path); });
+    connect(card, &FileCard::clicked, this, [this, path] { m_files.open(path); });
     return card;
 }
 
@@ -380,11 +380,10 @@ QWidget* StartPage::makeLost(const LostWork& work, QWidget* shelf) {
     describe(discard, tr("Discard %1").arg(nameOf(work)), tr("Deletes these changes for good."));
     column->addWidget(card);
     column->addWidget(discard);
-    connect(card, &FileCard::clicked, &m_files, [this, work] { m_files.recover(work); });
+    connect(card, &FileCard::clicked, this, [this, work] { m_files.recover(work); });
     // The card is destroyed with its work, so this is queued until the click has ended.
     connect(
-        discard, &QPushButton::clicked, &m_files, [this, work] { m_files.discard(work); },
-        Qt::QueuedConnection);
+        discard, &QPushButton::clicked, this, [this, work] { m_files.discard(work); }, Qt::QueuedConnection);
     return both;
 }
 

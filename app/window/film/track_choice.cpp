@@ -112,7 +112,7 @@ void TrackChoice::change(const QString& what, Design after) {
     m_session.document().changeDesign(what, std::move(after));
 }
 
-/// Changes keys, or says that there is nothing to change.
+/// Changes keys, or shows a notice that there is nothing to change.
 void TrackChoice::changeKeys(const QString& what, Design after) {
     bool changes = false;
     for (int h = 0; h < std::ssize(after.handles); ++h)
@@ -208,6 +208,7 @@ std::vector<CopiedKey> TrackChoice::mirrored(const std::vector<CopiedKey>& copie
 
 void TrackChoice::copy() {
     m_copied.clear();
+    m_copiedFrom = m_session.document().generation();
     for (const CopiedKey& copy : copiesOf(m_keys.empty() ? endsOf(bars()) : keys()))
         m_copied.push_back({idOf(copy.handle), copy});
 }
@@ -233,7 +234,11 @@ void TrackChoice::set(std::vector<CopiedKey> copies, double time, const QString&
 
 void TrackChoice::paste(double time, bool isMirrored) {
     std::vector<CopiedKey> copies;
-    for (auto [pin, copy] : m_copied) copy.handle = placeOf(pin), copies.push_back(copy);
+    const bool isSameFile = m_copiedFrom == m_session.document().generation();
+    for (auto [pin, copy] : m_copied) {
+        if (isSameFile) copy.handle = placeOf(pin);
+        if (copy.handle < m_session.pins().count()) copies.push_back(copy);
+    }
     if (!isMirrored) copies = forPins(m_session.selection().handles(), copies);
     std::erase_if(copies, [](const CopiedKey& copy) { return copy.handle < 0; });
     if (isMirrored) copies = mirrored(copies);

@@ -88,6 +88,7 @@ class TrackChoice : public QObject {
     std::vector<std::pair<Id, int>> m_bars;     // pins and numbers of their motions; or
     std::vector<std::pair<Id, double>> m_keys;  // pins and times
     std::vector<std::pair<Id, CopiedKey>> m_copied;
+    int m_copiedFrom = -1;  // generation of the document
 };
 
 }  // namespace wend

@@ -13,7 +13,7 @@ namespace wend {
 
 class TimeScale;
 
-/// The rows of the tracks: where they are drawn, what is at a point, and what is dragged to where.
+/// The rows of the tracks: their geometry, hit tests, and the drag of bars and keys.
 struct TrackLayout {
     static constexpr int kHold = -1;          // in the place of a motion: the line along which the pin holds
     static constexpr double kRowHeight = 24;  // pixels

@@ -24,8 +24,6 @@ class TrackView : public QAbstractScrollArea {
     explicit TrackView(ShapeSession& session, QWidget* parent = nullptr);
 
     static constexpr int kHold = TrackLayout::kHold;
-    /// Sets the horizontal range of time in this widget's coordinates: that of the slider below.
-    void setWay(const QRect& way) { m_scale->setWay(way); }
     /// Returns the rectangle of a bar or hold in viewport coordinates; empty if there is none.
     QRectF barOf(int handle, int motion) const;
     /// Returns where a key pose is drawn.

@@ -130,7 +130,7 @@ const PicturePart* WorkNote::filledPart() const {
     return nullptr;
 }
 
-/// Takes what the motion says after it was told of a change, which the note may hear of earlier.
+/// Remembers the inputs of the newest mesh, and shows or hides the note.
 void WorkNote::takeState() {
     if (m_document.isEmpty())
         m_meshed = {};

@@ -11,7 +11,7 @@
 
 #include "app/panels/region_list.h"
 #include "app/project/edits/handle_edits.h"
-#include "app/project/edits/layer_edits.h"
+#include "app/project/edits/material_edits.h"
 #include "app/project/edits/value_edits.h"
 #include "app/project/file/project_reader.h"
 #include "app/project/file/project_writer.h"
@@ -30,6 +30,8 @@ class TestRegionList : public QObject {
     void init();
     void cleanup() { m_f.reset(); }
     void layersOfAFile();
+    void paintOfOneNameStaysApart();
+    void strokesWithoutEffectAreNoSteps();
     void strokesAreListed_data() { kinds(); }
     void strokesAreListed();
     void chosenOnesAreOutlined_data() { kinds(); }
@@ -132,6 +134,40 @@ void TestRegionList::layersOfAFile() {
     QVERIFY(both.depth[4].name == "e" && depthOfHandle(both.depth, "e") == 3);
     QCOMPARE(both.design.handles[0].name, std::string("e"));
     QCOMPARE(withDepthName(project, depth[4].id, "d").depth[4].name, std::string("d 2"));
+    Project several = project;
+    several.depth[1].name = "b";
+    several = withDepthName(several, depth[4].id, "e");
+    QVERIFY(several.depth[1].name == "e" && several.depth[4].name == "e");
+}
+
+/// Two layers of paint of one name are still two in the file when the one between them is gone.
+void TestRegionList::paintOfOneNameStaysApart() {
+    const auto layer = [](const char* name, double x) {
+        return layerWith(name, MaterialRegion{{Ball<3>{{x, 0, 0}, 1}}, 1.0});
+    };
+    Project project;
+    project.domain.path = "a.png";
+    project.design.material.layers = {layer("a", 0), layer("b", 1), layer("a", 2)};
+    auto& layers = project.design.material.layers;
+    const std::vector<MaterialLayer> before = layers;
+    layers = withoutLayer(before, before[1].id);
+    const auto read = [&] { return parseProject(toJson(project), "p.wend").project->design.material.layers; };
+    QVERIFY(layers.size() == 2 && read().size() == 2 && read()[0].name == "a");
+    layers = withLayerMoved(before, before[1].id, 1);
+    QVERIFY(layers.size() == 3 && read().size() == 3 && layers[1].id == before[2].id);
+    layers = *withLayerMergedDown(before, before[1].id);
+    QVERIFY(layers.size() == 2 && read().size() == 2);
+}
+
+/// What changes nothing is no step: a stroke that evens out what is even.
+void TestRegionList::strokesWithoutEffectAreNoSteps() {
+    QVERIFY(open(RegionsOf::Depth));
+    Document& document = m_f->session().document();
+    const Ball<3> ball{Vec3::Zero(), 1};
+    const int steps = document.undoStack()->count();
+    document.changeDepth("nothing", withDepthStroke(document.depth(), {SoftRegion{ball}}, 0));
+    document.changeSizes("nothing", withSizeStroke(document.domain().sizes, {SoftRegion{ball}}, 1));
+    QCOMPARE(document.undoStack()->count(), steps);
 }
 
 /// The last one on top, with its number, which can be changed; renamed by typing, and removed. Each is a

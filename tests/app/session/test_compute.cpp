@@ -569,7 +569,7 @@ void TestCompute::firstMotionIsCancelled() {
     QVERIFY(problems.last().first().toString().contains(QStringLiteral("motion")));
 }
 
-/// Whatever comes, goes or changes places before them in the list.
+/// The selection stays with its pins when others before them are added, removed or reordered.
 void TestCompute::selectionStaysWithItsPins() {
     open();
     for (const double x : {40.0, 120.0, 200.0}) m_session->addPin({x, 80, 0});

@@ -115,7 +115,6 @@ std::shared_ptr<const Image> picture() {
 
 RenderRequest requestOf(const MeshPtr& mesh, const Points2& pose) {
     auto frame = std::make_shared<PosedFrame<2>>();
-    frame->dimension = 2;
     frame->rest = mesh;
     frame->pose = pose;
     frame->live = true;

@@ -70,6 +70,7 @@ class TestTracks : public QObject {
     void drag(QWidget& widget, const QPoint& from, const QPoint& by, Qt::KeyboardModifiers modifiers = {});
     QAction* menuEntry(QWidget& at, const QPoint& place, const QString& text);
     void show(double time);
+    void openFilm();
     Vec2 placeAt(int handle, double time);
 
     std::unique_ptr<SolidFixture> m_window;
@@ -79,6 +80,10 @@ class TestTracks : public QObject {
 void TestTracks::init() {
     QSettings().remove(QStringLiteral("ruler"));
     m_window = std::make_unique<SolidFixture>();
+    openFilm();
+}
+
+void TestTracks::openFilm() {
     QVERIFY(m_window->openPicture());
     for (const double x : {40.0, 200.0, 120.0}) session().addPin({x, 80, 0});
     QVERIFY(settle(session()));
@@ -272,7 +277,7 @@ void TestTracks::mirrorImagesOfPins() {
     QVERIFY(images[2].offset == Amount(-5, 6, 0));
 }
 
-/// What is chosen and copied stays with its pin while one before it goes and comes again.
+/// Chosen and copied keys stay with their pin when a pin before it is removed and restored.
 void TestTracks::choiceStaysWithItsPins() {
     const auto removePin = [&](int handle) {
         show(0);  // later, it would only end to hold
@@ -312,6 +317,12 @@ void TestTracks::choiceStaysWithItsPins() {
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(keys(1).size(), 2U);
     QCOMPARE(keys(1)[1], 3.0);
+    // In another file, copies are for the pins in their places.
+    session().document().close();
+    openFilm();
+    session().selection().set({});
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(keys(1), (std::vector<double>{1, 2, 3}));
 }
 
 void TestTracks::menuOfAKey() {

@@ -20,6 +20,7 @@ class TestErasing : public PaintTest {
     void eraserTakesFromAllLayersThatAreSeen();
     void halfAnEraserLeavesHalf_data() { dimensions(); }
     void layersErasedPieceByPieceGo();
+    void layersHiddenInPartAreErased();
     void halfAnEraserLeavesHalf();
     void fillsAreTakenBack_data() { dimensions(); }
     void fillsAreTakenBack();
@@ -168,6 +169,22 @@ void TestErasing::takeFromAll() {
     stroke<Dim>({-1.3, 0}, {1.3, 0});
     QVERIFY(steps() == before && told.count() == 1);
     QVERIFY(undo() && isStiff(-0.9));
+}
+
+/// A file may hide a few regions of a layer: the others are erased as any paint.
+void TestErasing::layersHiddenInPartAreErased() {
+    QVERIFY(Bar<2>::open(*m_f));
+    Document& document = m_f->session().document();
+    Design design = document.design();
+    MaterialRegion seen{{Ball<3>{inSpace(Bar<2>::place(-0.9, 0)), 20}}, phi::kAkvf}, hidden = seen;
+    hidden.shape = Ball<3>{inSpace(Bar<2>::place(0.9, 0)), 20};
+    hidden.hidden = true;
+    design.material.layers = {{"half", {seen, hidden}}};
+    document.changeDesign("Layer", design);
+    QVERIFY(settle(m_f->session()) && phis<2>()[cellAt<2>(-0.9)] == phi::kAkvf);
+    eraseWith<2>(110);
+    stroke<2>({-1.3, 0}, {1.3, 0});
+    QVERIFY(settle(m_f->session()) && phis<2>()[cellAt<2>(-0.9)] == phi::kMetr);
 }
 
 /// No single place of the eraser covers a place of the brush; together they leave nothing.
