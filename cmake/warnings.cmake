@@ -23,4 +23,6 @@ if(WEND_SANITIZE)
     target_compile_options(wend_options INTERFACE
         $<$<NOT:${plain}>:-fsanitize=${WEND_SANITIZE}> $<$<NOT:${plain}>:-fno-omit-frame-pointer>)
     target_link_options(wend_options INTERFACE $<$<NOT:${plain}>:-fsanitize=${WEND_SANITIZE}>)
+    # Tests that limit the memory of a process are compiled only without it, so that none is skipped.
+    target_compile_definitions(wend_options INTERFACE $<$<NOT:${plain}>:WEND_SANITIZED>)
 endif()

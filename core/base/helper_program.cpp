@@ -17,7 +17,7 @@ namespace wend {
 namespace {
 
 // Sanitizers need more addresses than there is memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef WEND_SANITIZED
 constexpr bool kIsSanitized = true;
 #else
 constexpr bool kIsSanitized = false;
