@@ -16,6 +16,7 @@
 
 #include "app/project/design.h"
 #include "app/project/domain.h"
+#include "app/session/shape_session.h"
 #include "app/views/canvas/canvas.h"
 #include "app/views/volume/solid_canvas.h"
 #include "app/window/actions/toolbox.h"

@@ -16,6 +16,7 @@
 #include "app/project/edits/pin_edits.h"
 #include "app/session/calm_follower.h"
 #include "app/session/pins/pin_traits.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/style/theme.h"
 

@@ -3,14 +3,16 @@
 #include <QSet>
 #include <QWidget>
 #include <functional>
-
-#include "app/session/shape_session.h"
+#include <string>
+#include <vector>
 
 class QLabel;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace wend {
+
+class ShapeSession;
 
 /// All pins by name under the headings of their groups, to select, rename, remove, lock and hide them, also
 /// by keyboard. Enter moves the focus to the view, where arrow keys move the selection.

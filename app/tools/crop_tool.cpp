@@ -7,6 +7,7 @@
 
 #include "app/engine/shape/shape.h"
 #include "app/session/crop.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 #include "app/tools/tool_kinds.h"

@@ -1,5 +1,6 @@
 #include "app/tools/key_cross.h"
 
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 
 namespace wend {

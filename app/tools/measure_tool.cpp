@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/project/domain.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/engine/motion/places.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 

@@ -16,10 +16,7 @@ class ShapeTool : public Tool {
     View& view() const { return m_view; }
     ShapeSession& session() const { return m_view.session(); }
     /// Returns the frame of a picture or solid; null if the document has another dimension.
-    FramePtr frame() const {
-        const FramePtr shown = session().motion().frame();
-        return shown && shown->dimension == m_view.dimension() ? shown : FramePtr();
-    }
+    FramePtr frame() const { return m_view.frame(); }
 
   private:
     View& m_view;

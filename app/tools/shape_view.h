@@ -4,10 +4,13 @@
 #include <QTabletEvent>
 #include <algorithm>
 #include <optional>
+#include <vector>
 
-#include "app/session/shape_session.h"
+#include "app/engine/motion/frame.h"
 
 namespace wend {
+
+class ShapeSession;
 
 /// The place under the pointer: on the rest shape and in the view.
 struct Touch {
@@ -46,6 +49,8 @@ class ShapeView {
     virtual std::optional<Vec3> placeOf(const ShapeFrame& frame, int cell) const = 0;
     /// Returns the marks of vertices that are not cut off.
     virtual std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const = 0;
+    /// Returns the session's frame; null if the document has another dimension.
+    FramePtr frame();
     /// Returns the session's frame, with the material that is being painted.
     virtual FramePtr shownFrame() const = 0;
     /// Shows the material of another frame, or none, until the motion with it arrives, or the project

@@ -43,7 +43,6 @@
 #include "app/window/actions/actions.h"
 #include "app/window/actions/bars.h"
 #include "app/window/actions/brush_actions.h"
-#include "app/window/actions/curve_actions.h"
 #include "app/window/actions/depth_actions.h"
 #include "app/window/actions/language_choice.h"
 #include "app/window/actions/look_choices.h"

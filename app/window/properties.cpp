@@ -31,6 +31,7 @@
 #include "app/panels/pin_list.h"
 #include "app/panels/region_list.h"
 #include "app/panels/surface_panel.h"
+#include "app/session/shape_session.h"
 #include "app/style/theme.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"

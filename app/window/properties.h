@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/session/brush.h"
-#include "app/session/shape_session.h"
 #include "app/tools/mode.h"
 
 class QAction;
@@ -32,6 +31,7 @@ class PartList;
 class PinList;
 class ReachRow;
 class RegionList;
+class ShapeSession;
 class SurfacePanel;
 class Toolbox;
 

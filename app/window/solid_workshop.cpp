@@ -16,6 +16,7 @@
 #include "app/project/domain.h"
 #include "app/project/edits/setting_edits.h"
 #include "app/session/opening.h"
+#include "app/session/shape_session.h"
 #include "app/views/volume/solid_overlay.h"
 #include "app/window/actions/actions.h"
 #include "app/window/export/dialogs.h"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/project/design.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 

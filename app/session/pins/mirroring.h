@@ -1,10 +1,12 @@
 #pragma once
 
+#include "app/engine/motion/frame.h"
 #include "app/project/edits/key_edits.h"
 #include "app/project/pin.h"
-#include "app/session/shape_session.h"
 
 namespace wend {
+
+class ShapeSession;
 
 /// Mirrors one coordinate, at an upright or level line of a picture, or a plane in space across an axis.
 struct Mirror {

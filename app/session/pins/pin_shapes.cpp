@@ -7,6 +7,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/handle_edits.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "app/session/shape_session.h"
+#include "app/session/pins.h"
 
 namespace wend {
+
+class ShapeSession;
 
 /// Returns one path for all points of a handle.
 inline std::vector<Vec3> shownStarts(const std::vector<Vec3>& starts) {

@@ -1,4 +1,5 @@
 #include "app/tools/mesh/cut_tool.h"
+#include "app/session/shape_session.h"
 
 #include <Eigen/Geometry>
 #include <QCoreApplication>

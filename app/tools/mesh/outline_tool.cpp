@@ -10,6 +10,7 @@
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/part_edits.h"
 #include "app/session/part_making.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/drawn_outline.h"

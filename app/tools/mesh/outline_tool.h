@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/project/domain.h"
+#include "app/project/project_fwd.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/outline_settings.h"
 #include "app/tools/tool_kind.h"

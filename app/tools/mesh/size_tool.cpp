@@ -4,6 +4,7 @@
 
 #include "app/project/domain.h"
 #include "app/project/edits/value_edits.h"
+#include "app/session/shape_session.h"
 
 namespace wend {
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "app/project/edits/value_edits.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/tools/picture_marks.h"
 

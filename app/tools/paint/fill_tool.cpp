@@ -3,6 +3,7 @@
 #include "app/engine/motion/edited_material.h"
 #include "app/project/design.h"
 #include "app/session/brush.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/tools/key_cross.h"
 #include "app/tools/paint/brush_paint.h"

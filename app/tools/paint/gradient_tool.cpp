@@ -9,6 +9,7 @@
 #include "app/project/edits/part_edits.h"
 #include "app/project/project_fwd.h"
 #include "app/session/brush.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/in_steps.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/region_outline.h"
@@ -221,6 +222,16 @@ void RegionLines::paint(QPainter& painter, SolidShapeView& view) const {
     for (const MaterialRegion& region : m_regions)
         if (!region.erases()) shapes.push_back(region.shape);
     paintRegions(painter, view, shapes, QPen(QColor(kAccent), marked(1.5), Qt::DashLine));
+}
+
+void LayerLines::paint(QPainter& painter, PictureShapeView& view) {
+    takeLayer(view.session().document());
+    m_lines.paint(painter, view);
+}
+
+void LayerLines::paint(QPainter& painter, SolidShapeView& view) {
+    takeLayer(view.session().document());
+    m_lines.paint(painter, view);
 }
 
 void LayerLines::takeLayer(const Document& document) {

@@ -39,11 +39,8 @@ class RegionLines {
 class LayerLines {
   public:
     void setLayer(Id layer) { m_layer = layer; }
-    template <class View>
-    void paint(QPainter& painter, View& view) {
-        takeLayer(view.session().document());
-        m_lines.paint(painter, view);
-    }
+    void paint(QPainter& painter, PictureShapeView& view);
+    void paint(QPainter& painter, SolidShapeView& view);
 
   private:
     void takeLayer(const Document& document);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/project/design.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/tools/paint/brush_paint.h"
 #include "core/base/error.h"

@@ -7,6 +7,7 @@
 
 #include "app/project/design.h"
 #include "app/project/edits/pin_edits.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 
@@ -99,6 +100,10 @@ std::vector<Vec3> CurveEditor::points() const {
     const Vec3 by = shift();
     for (Vec3& p : points) p += by;
     return points;
+}
+
+bool CurveEditor::isDragging() const {
+    return m_dragged >= 0 && m_draggedOf == m_view.session().document().project();
 }
 
 int CurveEditor::pointAt(const QPointF& widget) const {

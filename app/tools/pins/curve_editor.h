@@ -23,7 +23,7 @@ class CurveEditor {
     int pointAt(const QPointF& widget) const;
     /// Returns whether the curve itself is within reach.
     bool isOnCurve(const QPointF& widget) const { return placeAt(widget).piece >= 0; }
-    bool isDragging() const { return m_dragged >= 0 && m_draggedOf == m_view.session().document().project(); }
+    bool isDragging() const;
     /// Chooses the point and drags it.
     void begin(int point, const QPointF& widget);
     /// Moves the point; with `freely` the other direction of the joint stays.

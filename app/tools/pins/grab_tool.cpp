@@ -2,6 +2,7 @@
 #include <functional>
 #include <iterator>
 
+#include "app/session/shape_session.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/pins/held_part.h"
 #include "app/tools/tool_kinds.h"

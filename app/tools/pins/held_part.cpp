@@ -9,6 +9,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/handle_edits.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"

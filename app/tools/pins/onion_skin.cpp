@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/engine/shape/shape.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "core/base/error.h"
 #include "core/meshing/outline_combination.h"

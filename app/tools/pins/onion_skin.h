@@ -9,6 +9,8 @@
 
 namespace wend {
 
+class Playback;
+class ShapeMotion;
 template <int Dim>
 class Embedding;
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/project/edits/bezier_edits.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/in_steps.h"

@@ -4,6 +4,7 @@
 
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/tools/drawn_outline.h"
 #include "app/tools/region_outline.h"

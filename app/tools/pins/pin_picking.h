@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/pins.h"
 #include "app/tools/shape_tool.h"
 
 namespace wend {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/session/pins/pin_shapes.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/drag_label.h"
@@ -67,6 +68,15 @@ void PinTool::takeChoice() {
 int PinTool::handleAt(const QPointF& widget) const {
     const int pin = pinAt(widget);
     return pin >= 0 ? pin : partUnder(view(), widget, takesHidden());
+}
+
+bool PinTool::isSelected(int handle) const {
+    return handle >= 0 && session().selection().contains(handle);
+}
+
+void PinTool::select(int handle, bool extend) {
+    if (extend) return session().selection().toggle(handle);
+    if (!isSelected(handle)) session().selection().set({handle});
 }
 
 /// The end of a curve is below its pin, which takes precedence until that point is chosen.

@@ -69,15 +69,12 @@ class PinTool : public ShapeTool<> {
     int curvePointAt(const QPointF& at) const;
     std::optional<Part> partAt(const QPointF& at) const;
     std::optional<Part> litPart() const;
-    bool isSelected(int handle) const { return handle >= 0 && session().selection().contains(handle); }
+    bool isSelected(int handle) const;
     bool placeGizmo() const;
     void takePointer(const QMouseEvent& event);
     void takeChoice();
     void hover();
-    void select(int handle, bool extend) {
-        if (extend) return session().selection().toggle(handle);
-        if (!isSelected(handle)) session().selection().set({handle});
-    }
+    void select(int handle, bool extend);
     void begin();
     bool setPin();
     bool widens() const;

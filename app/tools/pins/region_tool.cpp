@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "app/engine/motion/places.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/marks.h"
 #include "app/tools/pins/held_part.h"

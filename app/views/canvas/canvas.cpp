@@ -8,6 +8,7 @@
 
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
+#include "app/session/shape_session.h"
 #include "app/style/smooth_map.h"
 #include "app/tools/picture_marks.h"
 #include "app/views/shape/shape_painter.h"
@@ -84,6 +85,10 @@ bool ShapeCanvas::isHidden(const Place& place, const Vec3&) const {
     const FramePtr frame = m_session.motion().frame();
     const auto seen = frame ? touch(onScreen(frame->at(place))) : std::nullopt;
     return seen && (frame->restAt(seen->place) - frame->restAt(place)).norm() > kSamePlace * frame->diagonal;
+}
+
+FramePtr ShapeCanvas::shownFrame() const {
+    return m_preview.over(m_session.motion().frame<2>());
 }
 
 std::vector<VertexMark> ShapeCanvas::marksOf(const std::vector<int>& vertices) const {

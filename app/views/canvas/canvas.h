@@ -37,7 +37,7 @@ class ShapeCanvas : public QWidget, public PictureShapeView, public Viewport::Vi
     std::optional<Touch> touch(const QPointF& widget) const override;
     bool isHidden(const Place& place, const Vec3& p) const override;
     std::vector<VertexMark> marksOf(const std::vector<int>& vertices) const override;
-    FramePtr shownFrame() const override { return m_preview.over(m_session.motion().frame<2>()); }
+    FramePtr shownFrame() const override;
     void showMaterial(const FramePtr& painted, bool lasts) override;
     void redraw() override;
 

@@ -6,6 +6,7 @@
 #include "app/base/in_background.h"
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
+#include "app/session/shape_session.h"
 #include "app/style/smooth_map.h"
 #include "core/energy/distortion.h"
 
@@ -39,6 +40,14 @@ DrawnShape::DrawnShape(const Viewport& viewport, const ViewTransform& view)
         if (isReady()) m_renderer.post(request(Filter::Ewa));
     });
     connect(&m_renderer, &RenderThread::rendered, this, &DrawnShape::takeRendered);
+}
+
+const Document& DrawnShape::document() const {
+    return m_viewport.shape().session().document();
+}
+
+const ShapeMotion& DrawnShape::motion() const {
+    return m_viewport.shape().session().motion();
 }
 
 void DrawnShape::takeOpened() {

@@ -11,6 +11,9 @@
 
 namespace wend {
 
+class Document;
+class ShapeMotion;
+
 /// The picture that a view draws: that of the document, of a file's mesh or of parts, with the view's frame
 /// and looks. It is drawn in a thread: quickly while anything changes, in full quality soon after.
 class DrawnShape : public QObject {
@@ -53,8 +56,8 @@ class DrawnShape : public QObject {
     void prepared();
 
   private:
-    const Document& document() const { return m_viewport.shape().session().document(); }
-    const ShapeMotion& motion() const { return m_viewport.shape().session().motion(); }
+    const Document& document() const;
+    const ShapeMotion& motion() const;
     void prepare(const std::shared_ptr<const Image>& picture);
     std::shared_ptr<const ScreenPicture> pictureOf(const PosedPtr<2>& frame) const;
     bool isReady() const;

@@ -44,6 +44,10 @@ QString ghostName(const Pin& handle, const QString& name, double time) {
         .arg(name, when);
 }
 
+bool ShapePainter::isOfDocument() const {
+    return m_view.session().document().dimension() == m_view.dimension();
+}
+
 QPolygonF ShapePainter::onScreen(const std::vector<Vec3>& points) const {
     QPolygonF line;
     for (const Vec3& p : points) line << m_view.onScreen(p);

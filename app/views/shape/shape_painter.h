@@ -11,6 +11,8 @@
 
 namespace wend {
 
+struct PinView;
+
 /// The name of a handle that does not hold at a time, and since or until when.
 QString ghostName(const Pin& handle, const QString& name, double time);
 
@@ -42,7 +44,7 @@ class ShapePainter {
 
   private:
     bool isFlat() const { return m_view.dimension() == 2; }
-    bool isOfDocument() const { return m_view.session().document().dimension() == m_view.dimension(); }
+    bool isOfDocument() const;
     QPolygonF onScreen(const std::vector<Vec3>& points) const;
     template <int Dim>
     void frames(const Pin& handle, const Vec<Dim>& start);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/panels/legend.h"
+#include "app/session/shape_session.h"
 #include "app/views/shape/shape_painter.h"
 
 namespace wend {

@@ -10,6 +10,7 @@
 
 #include "app/project/design.h"
 #include "app/session/pins/pin_shapes.h"
+#include "app/session/shape_session.h"
 #include "app/views/volume/solid_overlay.h"
 
 namespace wend {
@@ -364,6 +365,10 @@ std::optional<Vec3> SolidCanvas::placeOf(const ShapeFrame&, int cell) const {
         if (hit.cell == cell) return hit.point;
     }
     return {};
+}
+
+FramePtr SolidCanvas::shownFrame() const {
+    return m_preview.over(m_session.motion().frame<3>());
 }
 
 std::vector<VertexMark> SolidCanvas::marksOf(const std::vector<int>& vertices) const {

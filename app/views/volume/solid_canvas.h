@@ -66,7 +66,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     Vec3 viewDirection() const override { return camera().direction(); }
     SolidHit pick(const QPointF& widget) const override;
     std::optional<Touch> touch(const QPointF& widget) const override;
-    FramePtr shownFrame() const override { return m_preview.over(m_session.motion().frame<3>()); }
+    FramePtr shownFrame() const override;
     void showMaterial(const FramePtr& painted, bool lasts) override;
     std::vector<int> verticesWhere(const std::function<bool(const QPointF&)>& inside,
                                    bool visibleOnly) const override;

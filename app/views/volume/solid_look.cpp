@@ -7,6 +7,7 @@
 #include "app/engine/motion/fields.h"
 #include "app/engine/shape/shape.h"
 #include "app/project/domain.h"
+#include "app/session/shape_session.h"
 #include "app/style/colours.h"
 #include "app/style/smooth_map.h"
 #include "app/views/volume/glyphs.h"
@@ -44,6 +45,10 @@ SolidPaint paintOf(const ShapeFrame& frame, const std::vector<QRgb>& ofCells,
 }
 
 }  // namespace
+
+const ShapeMotion& SolidLook::motion() const {
+    return m_viewport.shape().session().motion();
+}
 
 bool SolidLook::hasDetail(const PosedFrame<3>& frame) const {
     const auto& skin = frame.built->skin;

@@ -10,6 +10,7 @@
 
 namespace wend {
 
+class ShapeMotion;
 class SolidCanvas;
 class VolumeView;
 
@@ -43,7 +44,7 @@ class SolidLook {
     }
 
   private:
-    const ShapeMotion& motion() const { return m_viewport.shape().session().motion(); }
+    const ShapeMotion& motion() const;
     bool isOnDark() const { return ground().lightnessF() < 0.5; }
     void addMap(VolumePicture& picture, const PosedFrame<3>& frame) const;
     void addPaint(VolumePicture& picture, const PosedFrame<3>& frame) const;

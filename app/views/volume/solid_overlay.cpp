@@ -6,6 +6,7 @@
 
 #include "app/engine/motion/places.h"
 #include "app/engine/shape/shape.h"
+#include "app/session/shape_session.h"
 #include "app/views/shape/shape_painter.h"
 
 namespace wend {

@@ -1,4 +1,5 @@
 #include "app/views/volume/volume_view.h"
+#include "app/session/shape_session.h"
 
 #include <Eigen/Geometry>
 #include <QElapsedTimer>

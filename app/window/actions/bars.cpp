@@ -27,7 +27,6 @@
 #include "app/project/edits/document.h"
 #include "app/window/actions/actions.h"
 #include "app/window/actions/brush_actions.h"
-#include "app/window/actions/curve_actions.h"
 #include "app/window/actions/depth_actions.h"
 #include "app/window/actions/picture_actions.h"
 #include "app/window/actions/pin_actions.h"

@@ -15,6 +15,7 @@
 #include "app/panels/fields/panel_parts.h"
 #include "app/project/design.h"
 #include "app/project/edits/film_edits.h"
+#include "app/session/shape_session.h"
 #include "app/style/marks.h"
 #include "app/style/theme.h"
 #include "app/window/film/ease_editor.h"

@@ -8,7 +8,6 @@
 
 #include "app/project/pin.h"
 #include "app/session/part_making.h"
-#include "app/session/shape_session.h"
 #include "app/window/notices/info_banner.h"
 #include "warp/alpha_outline_options.h"
 #include "warp/image.h"
@@ -16,6 +15,8 @@
 namespace wend {
 
 class Document;
+class Playback;
+class ShapeSession;
 
 /// Returns whether the upper and lower edges are opaque.
 bool hasOpaqueEdges(const Image& picture);

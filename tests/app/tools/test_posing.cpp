@@ -22,7 +22,6 @@
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
 #include "app/window/actions/bars.h"
-#include "app/window/actions/curve_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/files/file_workflow.h"

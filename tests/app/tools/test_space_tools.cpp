@@ -2,10 +2,11 @@
 
 #include "app/panels/handle_panel.h"
 #include "app/project/design.h"
+#include "app/project/edits/bezier_edits.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/session/pins/pin_shapes.h"
-#include "app/window/actions/curve_actions.h"
 #include "app/window/actions/pin_actions.h"
+#include "core/motion/curve.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;

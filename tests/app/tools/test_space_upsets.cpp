@@ -8,7 +8,7 @@
 #include "app/project/design.h"
 #include "app/project/edits/curve_edits.h"
 #include "app/project/edits/material_edits.h"
-#include "app/window/actions/curve_actions.h"
+#include "app/window/actions/pin_actions.h"
 #include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
 

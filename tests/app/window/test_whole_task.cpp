@@ -17,7 +17,6 @@
 #include "app/project/file/project_writer.h"
 #include "app/project/project.h"
 #include "app/session/opening.h"
-#include "app/window/actions/curve_actions.h"
 #include "app/window/actions/pin_actions.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"

@@ -24,7 +24,7 @@
 #include "app/style/colours.h"
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
-#include "app/window/actions/curve_actions.h"
+#include "app/window/actions/pin_actions.h"
 #include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
 #include "app/window/files/file_workflow.h"
