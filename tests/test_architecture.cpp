@@ -41,7 +41,6 @@ const QMap<QString, QStringList> kAllowed = {
     {"app/engine", {"core/*", "kernels", "warp", "app/base", "app/project"}},
     {"app/output", {"core/*", "kernels", "warp", "app/project", "app/engine"}},
     {"app/cli", {"core/*", "kernels", "warp", "app/project", "app/engine", "app/output"}},
-    {"app/mpi", {"core/*", "kernels", "warp", "app/output", "app/cli"}},
     {"app/session", {"core/*", "warp", "app/base", "app/project", "app/engine"}},
     {"app/style", {"core/*", "app/project", "app/engine", "app/session"}},
     {"app/tools", {"core/*", "warp", "app/base", "app/project", "app/engine", "app/session", "app/style"}},
@@ -53,12 +52,13 @@ const QMap<QString, QStringList> kAllowed = {
      {"core/*", "warp", "app/base", "app/project", "app/engine", "app/output", "app/session", "app/style",
       "app/tools", "app/panels", "app/views"}},
     {"app", {"core/base", "app/cli", "app/window", "kernels", "warp"}},
+    {"mpi", {"core/*", "kernels", "warp", "app/output", "app/cli"}},
     {"bench",
      {"core/*", "kernels", "warp", "app/base", "app/project", "app/engine", "app/output", "app/session",
       "app/cli", "app/views", "app/window"}},
 };
 
-const QStringList kTops{"core", "kernels", "warp", "api", "python", "app", "bench"};
+const QStringList kTops{"core", "kernels", "warp", "api", "python", "app", "mpi", "bench"};
 
 struct Include {
     QString file, target;
@@ -110,7 +110,7 @@ QSet<QString> rebuiltBy(const QString& header) {
 }
 
 bool isOurs(const QString& target) {
-    static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app|bench|api|wend)/"));
+    static const QRegularExpression ours(QStringLiteral("^(core|kernels|warp|app|mpi|bench|api|wend)/"));
     return ours.match(target).hasMatch();
 }
 

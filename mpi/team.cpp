@@ -1,4 +1,4 @@
-#include "app/mpi/team.h"
+#include "mpi/team.h"
 
 #include <mpi.h>
 #include <petscsys.h>

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/mpi/team.h"
+#include "mpi/team.h"
 
 namespace wend {
 

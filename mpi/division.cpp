@@ -1,4 +1,4 @@
-#include "app/mpi/division.h"
+#include "mpi/division.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "app/mpi/lifeline.h"
+#include "mpi/lifeline.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>

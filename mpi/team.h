@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/mpi/division.h"
-#include "app/mpi/packet.h"
 #include "core/solver/part_links.h"
+#include "mpi/division.h"
+#include "mpi/packet.h"
 
 namespace wend {
 

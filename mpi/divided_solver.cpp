@@ -1,4 +1,4 @@
-#include "app/mpi/divided_solver.h"
+#include "mpi/divided_solver.h"
 
 #include <petscmat.h>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/mpi/division.h"
-#include "app/mpi/part_solver.h"
 #include "core/base/error.h"
+#include "mpi/division.h"
+#include "mpi/part_solver.h"
 
 namespace wend {
 

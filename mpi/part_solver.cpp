@@ -1,4 +1,4 @@
-#include "app/mpi/part_solver.h"
+#include "mpi/part_solver.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/mpi/division.h"
-#include "app/mpi/packet.h"
-#include "app/mpi/team.h"
 #include "core/solver/iterative_solver.h"
 #include "core/solver/multigrid/coarse_levels.h"
 #include "core/solver/multigrid/multigrid.h"
+#include "mpi/division.h"
+#include "mpi/packet.h"
+#include "mpi/team.h"
 
 namespace wend {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/mpi/team.h"
 #include "core/solver/iterative_solver.h"
+#include "mpi/team.h"
 
 namespace wend {
 

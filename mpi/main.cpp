@@ -6,11 +6,11 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/terminal.h"
-#include "app/mpi/divided_solver.h"
-#include "app/mpi/lifeline.h"
 #include "app/output/run.h"
 #include "core/base/simd_target.h"
 #include "kernels/opencl_devices.h"
+#include "mpi/divided_solver.h"
+#include "mpi/lifeline.h"
 #include "warp/picture_library.h"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <QTest>
 #include <numeric>
 
-#include "app/mpi/division.h"
 #include "core/assembly/cpu_back_end.h"
+#include "mpi/division.h"
 #include "tests/core/test_energy_samples.h"
 
 using namespace wend;
