@@ -83,7 +83,8 @@ class CpuBackEnd final : public BackEnd<Dim> {
     Vec<Dim> gradient(int corner) const {
         return m_geometry[corner / kCorners].gradients.col(corner % kCorners);
     }
-    /// Σ item(i) for i in [0, count): in fixed pieces, each summed by one thread, the pieces in their order.
+    /// Returns Σ item(i) for i in [0, count), in fixed pieces that one thread sums each, the pieces in their
+    /// order.
     template <typename Item>
     double sum(int count, Item&& item);
 
@@ -176,8 +177,8 @@ Strain<Dim> CpuBackEnd<Dim>::facetStress(int f, const Strain<Dim>& jump) const {
     return toMandel<Dim>(2 * w.q * (SB + Mat<Dim>(SB.transpose())) + dilation * B);
 }
 
-/// T_a = D G_a and U_a = M G_a: M = ¼ (V D + Σ_facets weight D_f), or ¼ V D + Σ_facets weight D² with the
-/// paper's kind.
+/// Computes T_a = D G_a and U_a = M G_a of the corners of a cell, where M is ¼ (V D + Σ_facets weight D_f),
+/// or ¼ V D + Σ_facets weight D² with the paper's kind.
 template <int Dim>
 void CpuBackEnd<Dim>::computeCornerTerms(int c) {
     StressMatrix<Dim> M = 0.25 * m_geometry[c].measure * m_D[c];

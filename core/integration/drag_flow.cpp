@@ -259,9 +259,9 @@ bool DragFlow<Dim>::track(const Targets& targets) {
 }
 
 /// Takes one step to the targets: by the midpoint rule with the midpoint predicted from earlier fields, or
-/// along the minimum for an elastic shape. The guess needs no solve while the pointer goes on in a direction
-/// of earlier steps; else a rough field at the start predicts the midpoint. The end is put on the targets, so
-/// that errors do not add up at the handles.
+/// along the minimum for an elastic shape. The guess needs no solve while the pointer continues in a
+/// direction of earlier steps; else a rough field at the start predicts the midpoint. The end is put on the
+/// targets, so that errors do not add up at the handles.
 template <int Dim>
 bool DragFlow<Dim>::step(const Targets& targets) {
     if (isElastic()) return track(targets);

@@ -186,9 +186,9 @@ double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     return settling > 0 ? settling : m_memory * largestColumn<Dim>(m_prescribed);
 }
 
-/// dx/dt = v̂(x, t) at the stages' shape (docs/method.md, (16)), constrained points as all others. A guess of
-/// the history saves iterations only where factors are reused. Returns false with the reason in m_failure,
-/// whose time is t.
+/// Evaluates dx/dt = v̂(x, t) at the stages' shape (docs/method.md, (16)), constrained points as all others.
+/// A guess of the history saves iterations only where factors are reused. Returns false with the reason in
+/// m_failure, whose time is t.
 template <int Dim>
 bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};

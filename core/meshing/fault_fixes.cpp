@@ -143,7 +143,7 @@ class FaultFixer {
         }
     }
 
-    /// The smaller of the parts that disagree; a Möbius band has one only.
+    /// Returns a step that turns the smaller of the parts that disagree; a Möbius band has one only.
     std::vector<SurfaceFix> turned(const std::vector<int>& triangles) const {
         if (triangles.size() != 2) return {};
         const SoundPart sound(m_now.surface);

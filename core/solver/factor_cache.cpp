@@ -111,7 +111,7 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
     return status;
 }
 
-/// The back end is at that shape.
+/// Builds the levels of multigrid. The back end is at that shape.
 template <int Dim>
 Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
     const Stopwatch watch(m_statistics.factor);
@@ -126,7 +126,8 @@ Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::
     return Factor::Status::Done;
 }
 
-/// The back end is at that shape; null if the factor is to serve only once.
+/// Makes a factor or the levels of multigrid. The back end is at that shape, which is null if the factor is
+/// to serve only once.
 template <int Dim>
 SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kind,
                                          const std::stop_token& stop) {

@@ -52,7 +52,7 @@ Nodal<Dim> ReducedSystem<Dim>::setDirections(Nodal<Dim> directions) {
 
 /// Takes out of a block what couples held coordinates. With the projectors P onto the held directions it
 /// becomes (I − P_row) K (I − P_column), plus P K P on the diagonal, which keeps K positive definite: y is 0
-/// in these directions whatever stands there.
+/// in these directions, so that the values there do not matter.
 template <int Dim>
 void ReducedSystem<Dim>::release(std::size_t row, std::size_t column, Mat<Dim>& K) const {
     for (int i = 0; i < Dim; ++i)

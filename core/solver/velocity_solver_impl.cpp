@@ -206,7 +206,8 @@ int VelocitySolver<Dim>::Impl::setProximal(double weight, const Points<Dim>& ori
     return -1;
 }
 
-/// E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the constraints allow.
+/// Computes f = ½ rate ∇W. E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the
+/// constraints allow.
 template <int Dim>
 void VelocitySolver<Dim>::Impl::computeLoad() {
     load.resize(Dim, 0);
@@ -219,7 +220,7 @@ void VelocitySolver<Dim>::Impl::computeLoad() {
         load *= 0.5 * memoryRate;
 }
 
-/// v = v_p on entry. Solves K y = −Zᵀ (A v + f) and adds Z y; again with the new residual while that is
+/// Solves K y = −Zᵀ (A v + f) with v = v_p on entry, and adds Z y; again with the new residual while that is
 /// large. Refinement costs a product and a pair of triangular solves, and recovers the digits that a factor
 /// of an ill-conditioned matrix loses.
 template <int Dim>

@@ -93,7 +93,8 @@ void forBlocks(const CoarseShare<Modes>& share, Visit&& visit) {
             visit(share.rows[i], share.columns[next], share.blocks[next]);
 }
 
-/// All rows, the upper triangle from the lower one: in a row that comes first.
+/// Returns the matrix with all columns of each row: blocks above the diagonal are the transposes of those
+/// below, and follow these in their row.
 template <int Modes>
 BlockRows<Modes> whole(const CoarseShare<Modes>& share) {
     const int rows = static_cast<int>(share.rows.size());

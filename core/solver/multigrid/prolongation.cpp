@@ -20,12 +20,13 @@ void sortUnique(std::vector<int>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// The place of a number in an ascending list that has it.
+/// Returns the place of a number in an ascending list that has it.
 int placeIn(const std::vector<int>& list, int number) {
     return static_cast<int>(std::lower_bound(list.begin(), list.end(), number) - list.begin());
 }
 
-/// G = L Lᵀ; columns without a pivot are 0, and their bits set.
+/// Factorizes G = L Lᵀ of Gram's matrix of the motions. Motions without a pivot depend on those before; their
+/// columns are 0, and their bits are set in the result.
 template <class Square>
 unsigned factorize(const Square& G, Square& L) {
     unsigned missing = 0;
@@ -43,7 +44,8 @@ unsigned factorize(const Square& G, Square& L) {
     return missing;
 }
 
-/// Q with B = Q Lᵀ; columns that are missing are 0.
+/// Returns Q with B = Q Lᵀ, whose columns are orthonormal within an aggregate; columns that are missing are
+/// 0.
 template <class Motions, class Square>
 Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
     Motions Q = B;
