@@ -26,7 +26,7 @@ Mat<Dim> twiceGreenStrain(const Mat<Dim>& F) {
     return E;
 }
 
-/// F = U diag(σ) Vᵀ with rotations U and V, for det F > 0.
+/// F = U diag(σ) Vᵀ with orthogonal U and V, both rotations or both reflections, for det F > 0.
 template <int Dim>
 struct Stretch {
     Mat<Dim> U, V;

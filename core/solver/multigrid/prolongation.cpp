@@ -61,7 +61,8 @@ Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
 
 }  // namespace
 
-/// Orthonormalizes the motions within every aggregate; those that depend on others are missing.
+/// Orthonormalizes the motions within every aggregate; those that depend on others are missing. The motions
+/// as coarse fields are Lᵀ of the factorization G = L Lᵀ of their Gram matrix, since B = Q Lᵀ.
 template <int Size, int Modes>
 auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions)
     -> std::vector<Square> {
@@ -90,7 +91,10 @@ auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const 
     return G;
 }
 
-/// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held.
+/// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held. One step of Jacobi's method spreads
+/// every motion to the neighbours of its aggregate, and takes away the jumps at its border, which would cost
+/// much energy. The rows are made in pieces and joined in their order, since their lengths are not known
+/// before.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
                                        const Chebyshev<Size>& smoother, WorkerPool& workers) {
@@ -147,6 +151,7 @@ void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
     }
 }
 
+/// Appends the rows of unknowns of other parts.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::addCopies(const PartLinks& links) {
     constexpr int kNumbers = Size * Modes;
