@@ -92,8 +92,8 @@ auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const 
 }
 
 /// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held. One step of Jacobi's method spreads
-/// every motion to the neighbours of its aggregate, and takes away the jumps at its border, which would cost
-/// much energy. The rows are made in pieces and joined in their order, since their lengths are not known
+/// every motion to the neighbours of its aggregate, and takes away the jumps at its boundary, which would
+/// cost much energy. The rows are made in pieces and joined in their order, since their lengths are not known
 /// before.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
