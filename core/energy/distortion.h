@@ -26,7 +26,7 @@ struct Distortion {
 /// Totals are Σ_c V_c m_c / Σ_c V_c with the absolute measures V_c at rest. σ has no sign: a mirrored cell
 /// counts as its mirror image in all three, and is found by `ratio`, `flips` and `minDet` alone. A cell that
 /// is flat in the pose has an infinite or NaN angle and volume, and so have the totals then; a NaN
-/// determinant counts as a flip. The worst cell is the first of several; −1 if there is no cell.
+/// determinant counts as a flip. The worst cell is the first of several; −1 if no cell has one.
 template <int Dim>
 Distortion distortion(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 

@@ -164,8 +164,8 @@ void StatesWriter<Dim>::checkpoint(const State<Dim>& state, const Statistics& st
     m_cost = m_last - begin;
 }
 
-/// Lets the time between checkpoints grow with their cost, so that a slow disk takes a twentieth of it at
-/// most.
+/// Lets the time between checkpoints grow with their cost, so that they take a twentieth of a run at most,
+/// even on a slow disk.
 template <int Dim>
 bool StatesWriter<Dim>::isDue() const {
     return Clock::now() - m_last > std::max<Clock::duration>(kLeastApart, kPart * m_cost);

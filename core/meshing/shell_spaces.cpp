@@ -34,7 +34,7 @@ std::vector<SpaceWall> kindsOf(const std::vector<SpaceWall>& walls) {
     return kinds;
 }
 
-/// Counts the shells around each space: those without whose walls it cannot be reached from outside. If every
+/// Counts the shells around each space: those whose walls every path from outside to it crosses. If every
 /// wall has the outside on one side, no shell is in another and nothing needs to be searched.
 void findDepths(const std::vector<SpaceWall>& allWalls, std::vector<ShellSpace>& spaces) {
     const std::vector<SpaceWall> walls = kindsOf(allWalls);
