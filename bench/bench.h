@@ -20,8 +20,8 @@ struct BenchOptions {
 /// Returns the names of the cases: "2d-5.6k", …, "3d-20k", "warp", "kernels", "paper".
 std::vector<std::string> benchCases();
 
-/// Measures. Ratios are between rows of one case, taken in this one process. Throws InputError for a case
-/// that there is not, and Cancelled.
+/// Runs the measurements. Ratios are between rows of one case, taken in this one process. Throws InputError
+/// for a case that there is not, and Cancelled.
 BenchTable runBenchmarks(const BenchOptions& options);
 
 }  // namespace wend

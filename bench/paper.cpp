@@ -35,7 +35,7 @@ std::string plain(std::string name) {
     return name;
 }
 
-/// The part of the metric error that the worst hundredth of the cells has.
+/// Returns the part of the metric error that the worst hundredth of the cells has.
 template <int Dim>
 double worstShare(const SimplicialMesh<Dim>& rest, const Distortion& distortion) {
     std::vector<double> errors;

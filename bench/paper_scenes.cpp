@@ -25,7 +25,7 @@ const Variants kStiffness{
      "{'phi': 'metr', 'regions': [{'shape': {'box': {'min': [1.333, -1], 'max': [2.667, 2]}}, "
      "'stiffness': {'axis': [0, 1], 'ratio': 20}}]}"}};
 
-// The middle line of the strip or bar goes on a circle: half of one, or a quarter.
+// The middle line of the strip or bar moves to a circle: half of one, or a quarter.
 const std::string
     kFlatEnds =
         "{'name': 'left', 'at': {'region': {'box': {'min': [-1, -1], 'max': [1e-6, 2]}}}}, "

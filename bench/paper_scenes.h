@@ -23,9 +23,9 @@ struct PaperScene {
 };
 const std::vector<PaperScene>& paperScenes();
 
-/// "strip" (4 : 1), "square", "star"; about so many vertices.
+/// Returns "strip" (4 : 1), "square" or "star" with about so many vertices.
 SimplicialMesh<2> flatShape(const std::string& name, int vertices);
-/// "bar" (4 : 1 : 1), "cube", "thick star".
+/// Returns "bar" (4 : 1 : 1), "cube" or "thick star" with about so many vertices.
 SimplicialMesh<3> solidShape(const std::string& name, int vertices);
 
 /// A claim of the paper: a figure of the rows grows from one result to the next ("scene/variant").

@@ -16,7 +16,7 @@ class BenchRecorder {
     void add(BenchRow row);
     void remark(const std::string& text) const;
 
-    /// Fewer repeats for what takes longer than a second.
+    /// Returns the number of repeats; it is less for work that takes longer than a second.
     int repeats(double expectedSeconds) const;
     const std::stop_token& stop() const { return m_options.stop; }
 

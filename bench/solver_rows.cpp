@@ -60,7 +60,7 @@ class SolverBench {
         }
     }
 
-    /// One step of RK4 on the device's stages: what crosses for each of its four fields.
+    /// Measures one step of RK4 on the device's stages: the copies for each of its four fields.
     void addOpenClFlow(const BackEndFactory<Dim>& factory) {
         IntegrationOptions options;
         options.method = Method::RungeKutta4;

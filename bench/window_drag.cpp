@@ -50,7 +50,7 @@ void WindowDrag::takeShown(int sample) {
     m_times.latency.push_back(now() - m_sent[static_cast<std::size_t>(sample)]);
 }
 
-/// The newest move that is due by now, in the place of all since the last one.
+/// Makes the newest move that is due by now, in the place of all since the last one.
 void WindowDrag::moveWhenDue(const std::function<QPointF(double)>& path) {
     const double due = kMovesEvery * std::floor(now() / kMovesEvery);
     if (m_sent.size() > 1 && due <= m_sent.back()) return;

@@ -46,8 +46,8 @@ std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary
 template <int Dim>
 using DistortionOf = std::function<Distortion(const Points<Dim>& pose)>;
 
-/// The same choice for the distortion, but that Automatic is the processor: it does its cells in less time
-/// than they need to a device and back.
+/// Returns the same choice for the distortion, but that Automatic is the processor: it does its cells in less
+/// time than they need to a device and back.
 template <int Dim>
 DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest,
                                const std::string& device = {}, DeviceNotice notice = {},

@@ -29,7 +29,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// A line of the probe: "device" and ten fields, tabs between; a second line "works P D" follows if the
+/// Reads a line of the probe: "device" and ten fields, tabs between; a second line "works P D" follows if the
 /// kernel ran.
 OpenClDeviceInfo parseDevice(const std::vector<std::string>& fields) {
     OpenClDeviceInfo info;

@@ -45,9 +45,9 @@ struct OpenClDevices {
 /// takes only that process with it. Runs once per process; the answer is kept.
 const OpenClDevices& openClDevices();
 
-/// The device that `wanted` (part of a name, any case; or "P:D" indices) names, the environment variable
-/// WEND_DEVICE if it is empty, else the first working GPU, else the first working device. Nothing if none
-/// works or matches; `why` then says it.
+/// Returns the device that `wanted` (part of a name, any case; or "P:D" indices) names, the environment
+/// variable WEND_DEVICE if it is empty, else the first working GPU, else the first working device. Nothing if
+/// none works or matches; `why` then says it.
 std::optional<OpenClDeviceInfo> chooseOpenClDevice(const std::string& wanted, std::string& why);
 
 /// Settings that drivers read at their first call; to be called before any other OpenCL call, by the program

@@ -192,7 +192,8 @@ class BandPainter {
         layers.put(sample(cell.map, cell.filter, x, y), places);
     }
 
-    /// The front cell's colour was painted; where it is not opaque, the others show.
+    /// Paints the pixels that several cells cover. The front cell's colour has been painted; where it is not
+    /// opaque, the others show.
     void resolveOverlaps() {
         m_cells.forOverlaps([&](int pixel, std::span<const int> cells) {
             const int x = pixel % m_job.view.width, y = m_begin + pixel / m_job.view.width;

@@ -9,7 +9,7 @@
 namespace wend {
 
 /// Composites colours of parts with blend modes over the samples of a pixel, 64, or 1 for colours that all
-/// cover it, from the lowest one up. The colours of one part lie over one another first; then the part is
+/// cover it, from the lowest one up. The colours of one part are put over one another first; then the part is
 /// blended with what is below it.
 template <std::size_t Samples>
 class BlendedLayers {

@@ -37,7 +37,7 @@ Matrix colorantsOf(const ColourSpace::Chromaticities& xy) {
     return colours * amounts.asDiagonal();
 }
 
-/// SMPTE ST 2084, full light being 10,000 cd/m².
+/// Returns the light of SMPTE ST 2084, full light being 10,000 cd/m².
 double pqLight(double value) {
     constexpr double m1 = 0.1593017578125, m2 = 78.84375, c1 = 0.8359375, c2 = 18.8515625, c3 = 18.6875;
     const double root = std::pow(value, 1 / m2);

@@ -78,8 +78,8 @@ inline constexpr double kMaxMegapixels = 400;
 Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels,
                 std::vector<Message>* notices = nullptr);
 
-/// The same for one layer of a file with layers, without the opacity and the place that the file gives it.
-/// Throws InputError(path, why) if there is no such layer.
+/// Reads one layer of a file with layers, without the opacity and the place that the file gives it. Throws
+/// InputError(path, why) if there is no such layer.
 Image readLayer(const std::string& path, const std::string& layer, std::vector<Message>* notices = nullptr);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest
@@ -97,7 +97,7 @@ void writeImage(const std::string& path, const Image& header, int stripRows, con
 /// Returns whether writeImage() supports the extension.
 bool canWriteImage(const std::string& path);
 
-/// Size, type and channels without the pixels, and the list of layers.
+/// Reads size, type and channels without the pixels, and the list of layers.
 Image readImageHeader(const std::string& path);
 
 }  // namespace wend

@@ -113,8 +113,8 @@ const Format& formatOf(const std::string& path) {
                                " (known: " + known + ")");
 }
 
-/// The nearest type that loses nothing, or else the format's widest: 16-bit integers need a float, a half
-/// does not hold them.
+/// Returns the nearest type that loses nothing, or else the format's widest: 16-bit integers need a float, a
+/// half does not hold them.
 PixelType nearestType(const Format& format, PixelType type) {
     const auto holds = [&](PixelType t) { return format.types[static_cast<std::size_t>(t)]; };
     if (holds(type)) return type;

@@ -89,7 +89,7 @@ KritaPixels::KritaPixels(std::string bytes, std::string other)
         takeTile(at, nextLine(m_bytes, at));
 }
 
-/// Its line is "X,Y,LZF,SIZE".
+/// Takes a tile, whose line is "X,Y,LZF,SIZE".
 void KritaPixels::takeTile(std::size_t& at, std::string_view line) {
     Tile tile{};
     tile.x = numberIn(upTo(',', line), -kFarthest, kFarthest);

@@ -29,7 +29,7 @@ struct LayerNode {
     bool isAtop() const { return layer ? layer->atop : group.atop; }
     double opacity() const { return layer ? layer->ownOpacity : group.opacity; }
     const std::string& blend() const { return layer ? layer->blend : group.blend; }
-    /// Returns whether its layers can lie in the list of the group around it.
+    /// Returns whether its layers can be in the list of the group around it.
     bool isPassedThrough() const {
         return !layer && !group.isolated && isPlainBlend(group.blend) && group.opacity == 1;
     }

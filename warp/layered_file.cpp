@@ -37,7 +37,8 @@ bool isAtop(const pugi::xml_node& node, const Description& description) {
     return !flags.empty() && flags.back() == '0';
 }
 
-/// If that is one layer or group, it clips those that are atop of it.
+/// Marks a layer that is atop of those below it in its group. If that is one layer or group, it clips this
+/// one.
 template <class Layer>
 void takeAtop(const pugi::xml_node& node, const Description& description, Layer& layer) {
     if (!isAtop(node, description) || !node.next_sibling()) return;
@@ -58,8 +59,8 @@ double opacityOf(const pugi::xml_node& node, const Description& description) {
     return node.attribute("opacity").as_double(description.opaque) / description.opaque;
 }
 
-/// Returns whether a group is combined before it lies over what is below: in Krita unless it passes through;
-/// in OpenRaster if it says so, or has an opacity or a mode.
+/// Returns whether a group is combined before it is put over what is below: in Krita unless it passes
+/// through; in OpenRaster if it says so, or has an opacity or a mode.
 bool isIsolated(const pugi::xml_node& node, const Description& description) {
     if (&description == &kKrita) return !node.attribute("passthrough").as_bool(false);
     const std::string_view isolation = node.attribute("isolation").as_string("auto");

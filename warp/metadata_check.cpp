@@ -40,7 +40,7 @@ class JpegSegments {
   public:
     explicit JpegSegments(std::string bytes) : m_bytes(std::move(bytes)) {}
 
-    /// The bytes, if any has changed.
+    /// Returns the bytes if any has changed, else nothing.
     std::string mended() {
         for (std::size_t at = 2; (at = m_bytes.find('\xff', at)) != std::string::npos;) {
             at = m_bytes.find_first_not_of('\xff', at);
@@ -70,7 +70,8 @@ class JpegSegments {
         return data + size;
     }
 
-    /// EXIF, whose entries are sanitized, or XMP, whose 28-byte name ends with zero.
+    /// Returns whether a segment is EXIF, whose entries are sanitized, or XMP, whose 28-byte name ends with
+    /// zero.
     bool app1Fits(std::size_t data, std::size_t size) {
         const std::string_view text = std::string_view(m_bytes).substr(data, size);
         if (!text.starts_with(kExif)) return size > 28;

@@ -51,7 +51,7 @@ class PlaneMap {
 };
 
 /// Returns the affine map that is nearest to a map at some points of the plane, which is also near to its
-/// gradient where points lie on a line.
+/// gradient where points are on a line.
 Affine nearestAffine(const PlaneMap& map, const std::vector<Vec2>& points);
 
 }  // namespace wend

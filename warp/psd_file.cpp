@@ -242,7 +242,7 @@ LayerSection layersIn(std::string bytes, bool isLarge) {
     return section;
 }
 
-/// The data of a resource of that kind, if there is one.
+/// Returns the data of a resource of that kind, if there is one.
 std::optional<std::string> resource(std::string bytes, unsigned wanted) {
     ByteWalk resources(std::move(bytes));
     while (resources.left() >= 12 && resources.bytes(4) == "8BIM") {
@@ -263,7 +263,8 @@ bool lacksPicture(const std::string& resources) {
     return version && version->size() > 4 && (*version)[4] == 0;
 }
 
-/// A section of layers with one of no size, whose negative count says that the picture has transparency.
+/// Returns a section of layers with one of no size, whose negative count says that the picture has
+/// transparency.
 std::string noLayers(bool isLarge, bool isTransparent) {
     const std::string zeros(isLarge ? 4 : 0, '\0');
     if (!isTransparent) return zeros + std::string(4, '\0');
@@ -305,7 +306,7 @@ class PsdUnpacker {
     std::size_t rowBytes() const { return m_width * m_bytes; }
     std::size_t size() const { return rowBytes() * m_height; }
 
-    /// PackBits: a number n ≥ 0 before n + 1 bytes, or −n before one that is there n + 1 times.
+    /// Unpacks PackBits: a number n ≥ 0 before n + 1 bytes, or −n before one that is there n + 1 times.
     std::string fromRuns(ByteWalk& walk) const {
         std::vector<std::size_t> lengths;
         for (std::size_t y = 0; y < m_height; ++y) lengths.push_back(walk.number(m_isLarge ? 4 : 2));
@@ -400,7 +401,7 @@ class PsdPlanes {
         return found->second;
     }
 
-    /// The mask's number at a pixel of the picture, of as many bits as those of the planes.
+    /// Returns the mask's number at a pixel of the picture, of as many bits as those of the planes.
     std::uint32_t maskAt(const PsdMask& of, const std::string& mask, int x, int y) const {
         const PixelBox& box = of.box;
         if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height)

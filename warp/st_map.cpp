@@ -46,7 +46,7 @@ class StPainter {
         return {pixel(cell[0]), pixel(cell[1]), pixel(cell[2])};
     }
 
-    /// A pixel on the outline: position of the cell that covers most of it, alpha = coverage.
+    /// Puts a pixel on the outline: position of the cell that covers most of it, alpha = coverage.
     void put(const CellMap& map, int x, int y, float coverage) {
         const Vec2 p = m_view.origin + m_view.scale * Vec2(x + 0.5, y + 0.5);
         const Vec2 source = map.source(p);

@@ -52,6 +52,8 @@ void forContributions(const AssemblyPlan<Dim>& plan, Visit&& visit) {
     };
     for (int c = 0; c < plan.cellCount(); ++c) pairs(c, c, -1);
     for (std::size_t f = 0; f < plan.facets.size(); ++f) {
+        // ‖J_j − J_i‖² couples every corner of one cell to every corner of the other, in both orders; its
+        // squares are part of the cells' own contributions.
         const auto [i, j] = plan.facets[f].cells;
         pairs(i, j, static_cast<int>(f));
         pairs(j, i, static_cast<int>(f));

@@ -58,7 +58,10 @@ struct AssemblyPlan {
 enum class Contributions { Listed, Left };
 
 /// Makes the plan of a valid mesh. Without `smoothing` it has no facets, and the pattern is the one-ring of
-/// E_φ alone.
+/// E_φ alone. With it a vertex is coupled to those of the cells across its cells' facets, too. Contributions
+/// that are left out leave `columnStart`, `row`, `own` and `cross` empty. Takes time O(n log n) in the number
+/// of contributions, the logarithm being that of a vertex's contributions, and depends on the order of the
+/// mesh alone.
 template <int Dim>
 AssemblyPlan<Dim> makeAssemblyPlan(const SimplicialMesh<Dim>& mesh, bool smoothing,
                                    Contributions contributions = Contributions::Listed);

@@ -62,9 +62,12 @@ class BackEnd {
     /// Returns a source of blocks of A at the current shape, valid until the next setShape(); null if a
     /// device computes.
     virtual std::unique_ptr<BlockSource> blockSource() { return nullptr; }
-    /// Computes Av = A v without the matrix, both Dim × n; `Av` must not be `v`.
+    /// Computes Av = A v without the matrix, both Dim × n; `Av` must not be `v`. It includes the mass
+    /// regularization, as assemble() does, takes time linear in the cells, and needs no list of
+    /// contributions.
     virtual void apply(const Points<Dim>& v, Points<Dim>& Av) = 0;
-    /// Returns E(v) = E_φ + E_S, without the mass regularization.
+    /// Returns E(v) = E_φ + E_S, without the mass regularization. It is ½ of ⟨v, ∇E(v)⟩ and scales with the
+    /// square of v.
     virtual double energy(const Points<Dim>& v) = 0;
 
   private:

@@ -83,7 +83,8 @@ class CpuBackEnd final : public BackEnd<Dim> {
     Vec<Dim> gradient(int corner) const {
         return m_geometry[corner / kCorners].gradients.col(corner % kCorners);
     }
-    /// Σ item(i) for i in [0, count): in fixed pieces, each summed by one thread, the pieces in their order.
+    /// Returns Σ item(i) for i in [0, count), in fixed pieces that one thread sums each, the pieces in their
+    /// order.
     template <typename Item>
     double sum(int count, Item&& item);
 
@@ -124,7 +125,8 @@ void CpuBackEnd<Dim>::updateStressMatrix(const Points<Dim>& shape, int c) {
 }
 
 /// Computes everything that depends on the shape, in fixed pieces that threads share. The first bad cell is
-/// the least of those that the pieces find, so that it does not depend on the threads.
+/// the least of those that the pieces find, so that it does not depend on the threads. An atomic minimum is
+/// enough for that, since nothing but the number of the cell is reported.
 template <int Dim>
 int CpuBackEnd<Dim>::setShape(const Points<Dim>& shape) {
     constexpr int kNone = std::numeric_limits<int>::max();
@@ -175,8 +177,8 @@ Strain<Dim> CpuBackEnd<Dim>::facetStress(int f, const Strain<Dim>& jump) const {
     return toMandel<Dim>(2 * w.q * (SB + Mat<Dim>(SB.transpose())) + dilation * B);
 }
 
-/// T_a = D G_a and U_a = M G_a: M = ¼ (V D + Σ_facets weight D_f), or ¼ V D + Σ_facets weight D² with the
-/// paper's kind.
+/// Computes T_a = D G_a and U_a = M G_a of the corners of a cell, where M is ¼ (V D + Σ_facets weight D_f),
+/// or ¼ V D + Σ_facets weight D² with the paper's kind.
 template <int Dim>
 void CpuBackEnd<Dim>::computeCornerTerms(int c) {
     StressMatrix<Dim> M = 0.25 * m_geometry[c].measure * m_D[c];
@@ -222,6 +224,7 @@ Mat<Dim> CpuBackEnd<Dim>::massBlock(int left, int right) const {
     return (left == right ? 2 * mass : mass) * Mat<Dim>::Identity();
 }
 
+/// Returns the block of a contribution within a cell: G_leftᵀ U_right, and the mass if it is regularized.
 template <int Dim>
 Mat<Dim> CpuBackEnd<Dim>::ownBlock(int left, int right) const {
     Mat<Dim> A = strainColumns<Dim>(gradient(left)).transpose().lazyProduct(m_U[right]);
@@ -314,6 +317,8 @@ void CpuBackEnd<Dim>::computeFields(const Points<Dim>& v) {
     });
 }
 
+/// Returns the row of a vertex of ε M_c v in a cell: ε V / ((d + 1)(d + 2)) (v_vertex + Σ_corners v), as
+/// massBlock().
 template <int Dim>
 Vec<Dim> CpuBackEnd<Dim>::massTimes(const Points<Dim>& v, int c, int vertex) const {
     Vec<Dim> sum = v.col(vertex);
@@ -343,6 +348,8 @@ void CpuBackEnd<Dim>::apply(const Points<Dim>& v, Points<Dim>& Av) {
     });
 }
 
+/// Adds up within pieces of kPlanGrain items first, and then the pieces in their order: neither depends on
+/// which thread computes a piece, so the sum has the same bits for any number of threads.
 template <int Dim>
 template <typename Item>
 double CpuBackEnd<Dim>::sum(int count, Item&& item) {

@@ -17,6 +17,7 @@ std::unique_ptr<BackEnd<Dim>> makeGeneralBackEnd(std::shared_ptr<const AssemblyP
                                                  const Material<Dim>& material, int threads);
 
 /// Returns how many threads pay for a mesh: `wanted` (0: all cores), but one below about 10 000 unknowns.
+/// Below that, handing work over costs more than the threads save. The result is at least 1.
 int usefulThreads(int wanted, int unknowns);
 
 }  // namespace wend

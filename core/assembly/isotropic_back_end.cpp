@@ -338,8 +338,8 @@ Strain<Dim> IsotropicBackEnd<Dim>::tensor(int cell) const {
     return T;
 }
 
-/// Σ V (q ‖S‖² + r (½ Tr S)²) and the same of the jumps of S, weighted; with stress jumps Σ weight ‖P_j −
-/// P_i‖².
+/// Returns Σ V (q ‖S‖² + r (½ Tr S)²) and the same of the jumps of S, weighted; with stress jumps Σ weight
+/// ‖P_j − P_i‖².
 template <int Dim>
 double IsotropicBackEnd<Dim>::energy(const Points<Dim>& v) {
     const auto density = [](double q, double r, const Strain<Dim>& S) {

@@ -146,7 +146,7 @@ HWY_ATTR HWY_INLINE V traceOf(const V* diagonal) {
     return trace;
 }
 
-/// 2 L = F T + G X + H I with the cell's tensor T and the sum X of the weighted jumps.
+/// Computes 2 L = F T + G X + H I with the cell's tensor T and the sum X of the weighted jumps.
 template <int Dim, Jump kJump>
 HWY_ATTR HWY_INLINE void doubledL(const Cells<Dim>& s, int c, const Jumps<Dim>& jumps, int i,
                                   V (&L)[Dim * (Dim + 1) / 2]) {
@@ -175,7 +175,7 @@ HWY_ATTR HWY_INLINE void doubledL(const Cells<Dim>& s, int c, const Jumps<Dim>& 
     }
 }
 
-/// f_k = 2 L g_k; corner 0 has minus their sum.
+/// Stores f_k = 2 L g_k; corner 0 has minus their sum.
 template <int Dim>
 HWY_ATTR HWY_INLINE void storeForces(const V (&L)[Dim * (Dim + 1) / 2], const double* gradients,
                                      std::ptrdiff_t n, double* force) {

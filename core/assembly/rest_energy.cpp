@@ -28,7 +28,11 @@ Bernstein<3> determinants(const Mat3& E, const Mat3& end) {
     return {E.determinant(), mixed(E, end), mixed(end, E), end.determinant()};
 }
 
-/// A lower bound of the first root in [0, 1], 1 if there is none, by halving.
+/// Returns a lower bound of the first root in [0, 1] of a polynomial, 1 if there is none. A polynomial is
+/// within the range of its Bernstein coefficients: if all are positive, there is no root. Otherwise the
+/// interval is halved by de Casteljau's algorithm, the first half first. After the last halving the beginning
+/// of the piece counts as the root, whether it has one or not: the bound is safe, and close to the root
+/// except where the polynomial nearly touches 0 before. It is 0 if b(0) ≤ 0.
 template <int Dim>
 double beforeFirstRoot(const Bernstein<Dim>& b, int halvings) {
     if (std::ranges::all_of(b, [](double value) { return value > 0; })) return 1;
@@ -164,7 +168,9 @@ void RestEnergy<Dim>::linearize(const Points<Dim>& shape, double negative, Worke
     });
 }
 
-/// Returns the block of the Hessian for two corners of one cell.
+/// Returns the block of the Hessian for two corners of one cell. Since h_0 = −Σ_k h_k, a block of corner 0 is
+/// minus the sum of the corresponding blocks of the corners 1 …, and that of corner 0 with itself is the sum
+/// of all.
 template <int Dim>
 Mat<Dim> RestEnergy<Dim>::hessianBlock(int left, int right) const {
     const CellHessian& H = m_hessian[left / (Dim + 1)];
@@ -218,6 +224,8 @@ double RestEnergy<Dim>::unfoldedPart(const Points<Dim>& shape, const Points<Dim>
     double part = 1;
     for (int c = 0; c < m_plan->cellCount(); ++c) {
         const Mat<Dim> E = mapOf(shape, c), D = edgeMatrix<Dim>(step, m_plan->cells[c]) * m_restInverse[c];
+        // Only the part that the cells before allow is searched, so that most cells are settled by their
+        // first coefficients.
         part = std::min(part, part * beforeFirstRoot<Dim>(determinants(E, E + part * D), kHalvings));
     }
     return part;

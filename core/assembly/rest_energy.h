@@ -25,9 +25,11 @@ class RestEnergy {
 
     /// Returns V₀ of a cell.
     double measure(int cell) const { return m_measure[cell]; }
-    /// Returns W of a shape (Dim × n); infinite if a cell is inverted.
+    /// Returns W of a shape (Dim × n); infinite if a cell is inverted. It is 0 at rest and after rigid
+    /// motions. The sum runs in one thread.
     double energy(const Points<Dim>& shape) const;
-    /// Computes ∇W, one column per vertex. No cell may be inverted.
+    /// Computes ∇W (Dim × n). No cell may be inverted. The columns sum to 0 up to rounding, because W does
+    /// not change with a translation.
     void gradient(const Points<Dim>& shape, Points<Dim>& gradient, WorkerPool& workers);
 
     /// Computes the Hessian at a shape, in which no cell may be inverted, for the next two functions. The

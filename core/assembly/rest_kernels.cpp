@@ -231,8 +231,8 @@ HWY_ATTR HWY_INLINE V mixedDeterminant(const V (&A)[Dim][Dim], const V (&B)[Dim]
     return determinantOf(M);
 }
 
-/// Whether all Bernstein coefficients on [0, 1] of det(A + s (B − A)) are positive. Those between the first
-/// and the last are means of determinants with columns of both.
+/// Returns whether all Bernstein coefficients on [0, 1] of det(A + s (B − A)) are positive. Those between the
+/// first and the last are means of determinants with columns of both.
 template <int Dim>
 HWY_ATTR HWY_INLINE auto arePositive(const V (&A)[Dim][Dim], const V (&B)[Dim][Dim]) {
     const V zero = hn::Zero(D());

@@ -6,7 +6,10 @@
 
 namespace wend {
 
-/// Keeps the numbers 0 … count − 1 in sets that can be united. A set is represented by its lowest number.
+/// Keeps the numbers 0 … count − 1 in sets that can be united, each alone at first. A set is represented by
+/// its lowest number, so that results do not depend on the order in which sets were united. Queries halve the
+/// path to the root (Tarjan and van Leeuwen 1984), which makes both functions cheap over many calls, and
+/// changes the object: one thread uses it at a time.
 class DisjointSets {
   public:
     explicit DisjointSets(int count) : m_parents(static_cast<std::size_t>(count)) {

@@ -29,7 +29,7 @@ std::optional<double> numberAfter(const std::string& path, std::string_view word
     return std::nullopt;
 }
 
-/// The only number of a file; nothing where it says "max".
+/// Returns the only number of a file; nothing where it says "max", or if there is no such file.
 std::optional<double> numberIn(const std::string& path) {
     std::ifstream file(path);
     double number = 0;
@@ -66,8 +66,8 @@ double leftOf(const std::string& folder, const GroupFiles& files) {
     return std::max(0.0, *limit - std::max(0.0, *usage - cache));
 }
 
-/// The least of a group's and of those around it, up to the mount's root. In a container the path may be one
-/// of the host: then only the root is there.
+/// Returns the least of what a group and those around it leave, up to the mount's root, since the limit of
+/// each holds. In a container the path may be one of the host: then only the root is there.
 double leftOfGroups(const std::string& mount, std::string path, const GroupFiles& files) {
     double least = leftOf(mount, files);
     while (!path.empty() && path != "/") {
@@ -77,7 +77,8 @@ double leftOfGroups(const std::string& mount, std::string path, const GroupFiles
     return least;
 }
 
-/// Lines are "0::/path" in the second version and "4:memory:/path" in the first.
+/// Returns the least of what the control groups of the process leave. The lines of its list are "0::/path" in
+/// the second version and "4:memory:/path" in the first.
 double leftOfControlGroups(const std::string& root) {
     double least = kUnknown;
     std::ifstream file(root + "/proc/self/cgroup");

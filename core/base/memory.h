@@ -26,10 +26,12 @@ class NotEnoughMemory : public std::bad_alloc {
 /// nothing of this is known. Files of the system are looked for below `root`.
 double freeMemory(const std::string& root = "");
 
-/// Throws NotEnoughMemory if so many bytes are not free.
+/// Throws NotEnoughMemory if so many bytes are not free. Other programs may take the memory afterwards:
+/// allocations may still fail.
 void requireMemory(double bytes);
 
-/// Returns "7.9 GB", "512 MB" or "12 kB".
+/// Returns "7.9 GB", "512 MB" or "12 kB". Units are powers of 1000; GB have one decimal place, the others
+/// none.
 std::string byteText(double bytes);
 
 }  // namespace wend

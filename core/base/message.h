@@ -20,7 +20,8 @@ constexpr Sentence sentence(const char* /*context*/, const char* text) {
     return {text};
 }
 
-/// Returns the template with its %1, %2 … replaced by the arguments; other text is unchanged.
+/// Returns the template with its %1, %2 … replaced by the arguments; other text is unchanged. There are at
+/// most nine arguments, %1 to %9; an argument is not filled in turn, so a % in a file's name stays.
 std::string filled(std::string_view sentence, const std::vector<std::string>& arguments);
 
 /// A message for a user: a template and its arguments, which may be messages themselves, so that the window
@@ -74,6 +75,7 @@ std::vector<std::string> textsOf(const std::vector<Message>& messages);
 Message withTexts(const Message& message, const std::function<std::string(const std::string&)>& change);
 
 /// Returns a message as bytes for another process, and reads them again. Throws InputError for other bytes.
+/// Messages in messages may be nested up to a hundred deep.
 std::string packed(const Message& message);
 Message unpackedMessage(std::string_view bytes);
 

@@ -26,7 +26,8 @@ template <int Dim>
 std::string placeName(const Vec<Dim>& p);
 
 /// Parses the whole text as a number (a leading +, nan and inf are accepted); nothing if it is none.
-/// Underflow gives zero; overflow gives nothing.
+/// Underflow gives zero; overflow gives nothing. Blanks around it, a comma and hexadecimal digits are not
+/// accepted; an empty text is no number.
 std::optional<double> parseNumber(std::string_view text);
 
 }  // namespace wend

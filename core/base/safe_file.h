@@ -51,7 +51,9 @@ class PendingFile {
     /// Does the same for a file that continues to grow at its target: a process may end at once afterwards
     /// (see abandonPendingFiles()).
     void place();
-    /// Does the same for several files: all are on the disk before the first one replaces its target.
+    /// Does the same for several files: all are on the disk before the first one replaces its target. A
+    /// failure before the first replacement leaves all targets as they were; one between two replacements
+    /// leaves those before it replaced.
     static void commit(std::span<PendingFile> files);
 
   private:

@@ -77,6 +77,8 @@ Mat<Dim> stressBlock(EnergyWeights w, const Mat<Dim>& B, const Vec<Dim>& g, cons
 
 namespace {
 
+/// Returns the normalized conformal part (c, −s; s, c) of F, c = F₀₀ + F₁₁ and s = F₁₀ − F₀₁, which in the
+/// plane is the nearest rotation. Its length is the sum of the singular values, hence positive for det F > 0.
 Mat2 rotationOf(const Mat2& F) {
     const double c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1), n = std::hypot(c, s);
     Mat2 R;
@@ -84,7 +86,10 @@ Mat2 rotationOf(const Mat2& F) {
     return R;
 }
 
-/// Newton's iteration X ← ½ (γX + (γX)⁻ᵀ) with Higham's Frobenius scaling γ; quadratic, about 6 steps.
+/// Returns the limit of Newton's iteration X ← ½ (γX + (γX)⁻ᵀ), X₀ = F, with Higham's scaling γ² = ‖X⁻¹‖ /
+/// ‖X‖ in the Frobenius norm (Higham 1986). The convergence is quadratic and takes about 6 steps; without γ
+/// the first steps would only halve the distance of a strongly stretched map. The bound on the steps ends NaN
+/// and singular maps.
 Mat3 rotationOf(const Mat3& F) {
     Mat3 X = F;
     for (int i = 0; i < 30; ++i) {

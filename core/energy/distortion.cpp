@@ -15,7 +15,7 @@ struct CellDistortion {
     double angle = 0, volume = 0, metric = 0;
 };
 
-/// Computes the measures of docs/method.md, (24)–(26): Σ_pairs (σj/σk + σk/σj − 2), Πσ + 1/Πσ − 2, and Σ (σj
+/// Computes the measures of docs/method.md, (26)–(28): Σ_pairs (σj/σk + σk/σj − 2), Πσ + 1/Πσ − 2, and Σ (σj
 /// − 1)² − Σ_pairs (σj − σk)² / (d + 2).
 template <int Dim>
 CellDistortion measure(const Vec<Dim>& sigma) {
@@ -34,7 +34,9 @@ CellDistortion measure(const Vec<Dim>& sigma) {
     return d;
 }
 
-/// Computes maps cell by cell, in batches.
+/// Computes the maps of the cells in batches of Stretches::kCells, so that their singular values take one
+/// vector instruction for several cells, and hands them out one by one in the order of the cells. next() must
+/// not be called more often than there are cells: lanes behind the last cell keep maps of earlier batches.
 template <int Dim>
 class Maps {
   public:

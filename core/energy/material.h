@@ -14,10 +14,11 @@ namespace phi {
 inline const double kEquia = std::atan(std::ldexp(1.0, -9));  // keeps area or volume
 inline const double kMetr = std::atan(0.5);                   // keeps length (AMAP)
 inline constexpr double kAkvf = std::numbers::pi / 2;         // Killing: as rigid as possible
-/// Returns φ_CONF(d) = π − arctan(d/4), the end of the range, which keeps angles (ACAP).
+/// Returns φ_CONF(d) = π − arctan(d/4), the end of the range, which keeps angles (ACAP). `dim` is 2 or 3.
 double conformal(int dim);
 /// Returns an empty string if φ is in ]0, φ_CONF(dim)] (φ_CONF included, with an allowance for rounding),
-/// else the reason with the range.
+/// else the reason with the range. The allowance is 1e-14, so that φ_CONF survives a round trip through 16
+/// digits of text; NaN is a problem.
 std::string problem(double phi, int dim);
 }  // namespace phi
 
@@ -48,7 +49,9 @@ struct Material {
 };
 
 /// Throws InputError naming the cell and the range for φ outside ]0, φ_CONF], B not symmetric positive
-/// definite, or a wrong count.
+/// definite, or a wrong count. B counts as symmetric up to 1e-9 of its norm, and as positive definite if its
+/// least eigenvalue exceeds 1e-12 of the greatest. A smoothing parameter in use and the memory must be
+/// numbers ≥ 0; the memory may be infinite.
 template <int Dim>
 void requireValid(const Material<Dim>& material, int cellCount);
 

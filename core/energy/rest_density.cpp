@@ -26,7 +26,7 @@ Mat<Dim> twiceGreenStrain(const Mat<Dim>& F) {
     return E;
 }
 
-/// F = U diag(σ) Vᵀ with rotations U and V, for det F > 0.
+/// F = U diag(σ) Vᵀ with orthogonal U and V, both rotations or both reflections, for det F > 0.
 template <int Dim>
 struct Stretch {
     Mat<Dim> U, V;
@@ -106,7 +106,10 @@ RestModes<Dim> isotropicModes(EnergyWeights w, const Mat<Dim>& F) {
     return result;
 }
 
-/// Computes the derivative of restStress() in every direction e_a e_bᵀ, for B₀ ≠ I.
+/// Computes the derivative of restStress() in every direction e_a e_bᵀ, for B₀ ≠ I. With w = w_C(C) + w_J(J),
+/// E = C − I and dE = DᵀF + FᵀD, one column is
+///   dP = 2 D ∂w_C/∂C + 2 F (∂²w_C/∂C² : dE) + (J w_J′)′ J Tr(F⁻¹D) F⁻ᵀ − J w_J′ (F⁻¹ D F⁻¹)ᵀ,
+/// in which `byC` is ∂w_C/∂C, `change` its derivative along dE, `byJ` is J w_J′, and `slope` J (J w_J′)′.
 template <int Dim>
 Modes<Dim> anisotropicHessian(EnergyWeights w, const Mat<Dim>& B0, const Mat<Dim>& F) {
     const Mat<Dim> E = twiceGreenStrain<Dim>(F), BE = B0 * E, inverse = F.inverse();

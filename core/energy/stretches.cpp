@@ -61,7 +61,9 @@ HWY_INLINE Strain strainOf(const V (&F)[9]) {
     return s;
 }
 
-/// t for an angle whose cosine is r.
+/// Returns t = cos(⅓ arccos r) − ½ for r in [−1, 1], the root of t √(6 + 4t) = √(1 + r): three Newton steps
+/// from a guess that is linear in √(1 + r). In √(1 + r) the function is smooth, whereas in r its slope is
+/// infinite at −1, where two eigenvalues are equal.
 HWY_INLINE V thirdOfAngle(V r) {
     const V root = hn::Sqrt(set(1) + r);
     V t = root * hn::NegMulAdd(set(kBend), root, set(kGuess));
@@ -89,8 +91,11 @@ void stretchesInPlane(Stretches<2>& cells) {
     for (bool& exact : cells.isExact) exact = true;
 }
 
-/// √(1 + δ) of the eigenvalues δ of the strain FᵀF − I, which is 0 where F is rigid, by the cosines of a
-/// third of an angle.
+/// Computes σ = √(1 + δ) with the eigenvalues δ of the strain E = FᵀF − I, which is 0 where F is rigid. With
+/// the mean m = ⅓ Tr E, the deviator E − m I, p² = ⅙ ‖E − m I‖² and r = det(E − m I) / (2p³), the eigenvalues
+/// are m + 2p cos θ and m − p cos θ ± √3 p sin θ, θ = ⅓ arccos r (Smith 1961). sin θ follows from the factors
+/// of 1 − cos² θ, without cancellation at small angles. Rounding may put r outside of [−1, 1], and p may be
+/// 0; hence the bounds.
 void stretchesInSpace(Stretches<3>& cells) {
     for (int i = 0; i < Stretches<3>::kCells; i += static_cast<int>(hn::Lanes(D()))) {
         V F[9];

@@ -20,7 +20,9 @@ struct Stretches {
 /// caller ignores unused lanes, whose results may be NaN. In 2D by the conformal and anticonformal parts of
 /// F, which is accurate everywhere. In 3D σ = √(1 + δ) with the eigenvalues δ of the strain FᵀF − I by the
 /// trigonometric formula, with three Newton steps for the cosine: full accuracy near rigid maps; `isExact` is
-/// false where an eigenvalue of FᵀF is outside ]0.05, 20[ and the caller should use an SVD.
+/// false where an eigenvalue of FᵀF is outside ]0.05, 20[ and the caller should use an SVD. The strain is
+/// used instead of FᵀF because σ − 1 would otherwise keep no digits near rigid maps. A lane's result does not
+/// depend on the other lanes, but differs in the last digits between SIMD targets.
 void computeStretches(Stretches<2>& cells);
 void computeStretches(Stretches<3>& cells);
 

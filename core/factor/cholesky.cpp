@@ -41,7 +41,7 @@ class [[maybe_unused]] SerialOpenMp {
     [[maybe_unused]] int m_levels = 1;
 };
 
-/// A function of the BLAS that CHOLMOD is linked with; null where that BLAS has none of this name.
+/// Returns a function of the BLAS that CHOLMOD is linked with; null where that BLAS has none of this name.
 template <class Function>
 Function* blasFunction(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));  // NOLINT: the way of dlsym
@@ -56,7 +56,7 @@ void useOneBlasThread() {
     });
 }
 
-/// The smallest call that makes OpenBLAS take its buffer: 0 = 0 · 0 · 0 + 0 · 0.
+/// Makes the smallest call that makes OpenBLAS take its buffer: 0 = 0 · 0 · 0 + 0 · 0.
 void callBlas() {
     using Syrk = void(const char*, const char*, const int*, const int*, const double*, const double*,
                       const int*, const double*, double*, const int*);
@@ -197,7 +197,8 @@ Cholesky::Cholesky() : m_handles(std::make_shared<Handles>()) {
 }
 Cholesky::~Cholesky() = default;
 
-/// A small matrix takes no longer than a look at whether to stop may.
+/// Runs work so that a request to stop is answered at once. Work on a small matrix is not interrupted,
+/// because it ends soon.
 bool Cholesky::run(void (*work)(Handles&), const std::stop_token& stop) {
     constexpr std::size_t kSmall = 15000;
     const bool small = m_handles->matrix->ncol < kSmall;

@@ -47,7 +47,10 @@ struct Kernels {
     /// Solves backward: x1 += L11⁻ᵀ (w1 − L21ᵀ w2) with the rows up to `rowEnd`; w1 becomes x1.
     void (*backward)(const Real* panel, int leading, int columns, int rowEnd, Real* w, Real* x);
     /// Precedes backward() for the rows from `rowBegin` on: adds their part of the sum in the columns [from,
-    /// to) to x. `from` is a multiple of kSolveColumns.
+    /// to) to x. `from` is a multiple of kSolveColumns. The panel (leading × columns, column-major) is one
+    /// that prepareSolves() has finished, so that the sum is Mᵀ w and its sign is right; w has `leading`
+    /// numbers, and x one for each column. Pieces of columns may be done by several threads, since each
+    /// writes its own numbers of x.
     void (*prepareBackward)(const Real* panel, int leading, int from, int to, int rowBegin, const Real* w,
                             Real* x);
 };

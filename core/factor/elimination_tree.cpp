@@ -38,7 +38,11 @@ std::vector<double> workOfSubtrees(const Supernodes& symbolic, const Elimination
     return work;
 }
 
-/// The largest subtrees whose work is a small enough share.
+/// Divides the tree: a supernode whose subtree holds more than kMaxShare of all work belongs to the
+/// separator, and one that holds no more, but whose parent does (or that is a root), is the root of a
+/// subtree. The postorder makes the supernodes of a subtree consecutive, from its first descendant on. The
+/// largest subtrees come first, because threads take them in this order and a large one at the end would keep
+/// the others waiting.
 void split(const std::vector<double>& work, EliminationTree& tree) {
     const int count = static_cast<int>(work.size());
     double total = 0;

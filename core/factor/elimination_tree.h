@@ -22,8 +22,13 @@ struct EliminationTree {
     std::vector<int> separator;              // in elimination order
 };
 
-/// Returns the tree of a symbolic factor. Subtrees are chosen by their estimated work, the floating-point
-/// operations of factorizing their supernodes, so that results do not depend on the number of threads.
+/// Returns the tree of a symbolic factor. The parent of a supernode owns the first row below its own columns.
+/// The work of a supernode with c columns and r rows is taken as (c + 32) r²: c r² multiplications of its
+/// front, and the moves of its entries, each worth about 32 of them. The subtrees are the largest ones that
+/// hold at most 15 % of all work each; supernodes with more work at and below them form the separator. This
+/// leaves enough subtrees for several threads to end at about the same time, and a short separator. The
+/// number of threads has no influence, so that results do not depend on it. Takes time linear in the number
+/// of unknowns, but for a sort of the subtrees; an empty factor gives an empty tree.
 EliminationTree makeEliminationTree(const Supernodes& symbolic);
 
 }  // namespace wend

@@ -41,7 +41,8 @@ void Factor::requireRoom(double bytes, double toTake) {
     if (toTake > 0) requireMemory(toTake);
 }
 
-/// One of this kind that is there already keeps what follows from the pattern.
+/// Factorizes by Wend's own factor of this precision. If there is one already, what follows from the pattern
+/// is kept.
 template <class Real>
 bool Factor::factorizeOwn(WorkerPool& workers, const std::stop_token& stop, const FactorProgress& progress) {
     using Own = SupernodalFactor<Real>;

@@ -28,7 +28,8 @@ class Factor {
     /// Factorizes the values in this kind, or in the first kind after it that loses no pivot. If CHOLMOD's
     /// factorization is stopped, the pattern is no longer analyzed. `progress` gets the fraction done, from
     /// any thread, in long factorizations other than CHOLMOD's. Throws NotEnoughMemory before it allocates a
-    /// factor that does not fit.
+    /// factor that does not fit. The pattern must be analyzed. NotPositiveDefinite means that CHOLMOD found a
+    /// pivot ≤ 0 as well.
     Status factorize(FactorKind kind, WorkerPool& workers, std::stop_token stop = {},
                      const FactorProgress& progress = {});
     /// Returns the kind, or Reference if CHOLMOD factorizes the pattern faster on the SIMD target in use. It
@@ -36,7 +37,9 @@ class Factor {
     FactorKind quickest(FactorKind kind) const;
     /// Returns the kind of the last factorization.
     FactorKind kind() const { return static_cast<FactorKind>(m_own.index()); }
-    /// Solves x ≈ K⁻¹ b; returns false if the result is not finite.
+    /// Solves x ≈ K⁻¹ b; returns false if the result is not finite. Both spans have one number per unknown,
+    /// in the order of the pattern. In single precision the result is a preconditioner's, off by about the
+    /// condition number times 1e-7.
     bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
 
     /// Return the counts of the analysis: floating-point operations of a factorization and entries of the

@@ -78,7 +78,9 @@ void SupernodalFactor<Real>::placeUpdates() {
 
 /// Places update matrices on two stacks of their group, by the parity of their depth, where they wait for
 /// their parent: a front can then be built on one stack while its children are on top of the other. Returns
-/// the size of both.
+/// the size of both. In postorder the children of a front are the top of their stack when it is built, so its
+/// own update matrix goes onto the other one, and that of its first child is where the children's stack ends
+/// afterwards. Two stacks thus replace a copy of every update matrix or a list of free blocks.
 template <class Real>
 std::size_t SupernodalFactor<Real>::placeUpdates(std::span<const int> group) {
     std::vector<int> stack(m_symbolic.count());
@@ -129,6 +131,8 @@ void SupernodalFactor<Real>::reserve(int threads) {
 }
 
 /// Finds the runs of consecutive rows of every update matrix in the front of its parent, for extendAdd().
+/// Both lists of rows ascend, and the update's rows are all in the parent's front. Runs rather than single
+/// rows make the sums of extendAdd() contiguous.
 template <class Real>
 void SupernodalFactor<Real>::mapUpdates() {
     std::vector<int> place(m_symbolic.order.size());
@@ -227,7 +231,8 @@ void SupernodalFactor<Real>::assemblePanel(int s, std::span<const double> values
         front[m_entries[i].target] = static_cast<Real>(values[m_entries[i].source]);
 }
 
-/// Columns [begin, end) of the update matrix, of a panel that is done.
+/// Computes the columns [begin, end) of the update matrix U = −L21 L21ᵀ + Σ U_child of a panel that is
+/// factorized: what the front leaves for its ancestors to add.
 template <class Real>
 void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end, Real* stacks) {
     const int columns = m_symbolic.columnsOf(s);
@@ -236,6 +241,10 @@ void SupernodalFactor<Real>::makeUpdate(int s, int begin, int end, Real* stacks)
     for (int child : m_tree.children[s]) extendAdd(child, s, columns + begin, columns + end, stacks);
 }
 
+/// Factorizes a front in one thread, by the multifrontal method (Duff and Reid 1983): sums up the matrix and
+/// the children's updates in the pivot columns, factorizes these, computes the update for the parent, and
+/// turns the panel into the form that solves use. The update needs L21 as it is, so prepareSolves() comes
+/// last.
 template <class Real>
 bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, Real* stacks) {
     const int columns = m_symbolic.columnsOf(s);
@@ -248,7 +257,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     return true;
 }
 
-/// Factorizes in blocks of columns: one thread does a block's triangle, all of them the rows below.
+/// Factorizes in blocks of columns: one thread does a block's triangle, all of them the rows below. Since the
+/// triangle of a block needs only the block's own rows of earlier columns, the threads wait for each other
+/// once per block of kPanelColumns columns.
 template <class Real>
 bool SupernodalFactor<Real>::factorPanel(int s, WorkerPool& workers) {
     const int columns = m_symbolic.columnsOf(s), rows = leading(s);
@@ -293,7 +304,9 @@ bool SupernodalFactor<Real>::factorFront(int s, std::span<const double> values, 
     return !m_stop.stop_requested();
 }
 
-/// Every thread takes one subtree after another, with stacks of its own.
+/// Every thread takes one subtree after another, with stacks of its own. A subtree needs nothing but its own
+/// fronts, and its arithmetic is the same in every thread. Within it the postorder puts children before their
+/// parents.
 template <class Real>
 bool SupernodalFactor<Real>::factorSubtrees(std::span<const double> values, WorkerPool& workers) {
     std::atomic<std::size_t> next = 0;

@@ -36,7 +36,9 @@ class SupernodalFactor {
     /// a stop is noticed between fronts, and between the pieces of large ones.
     bool factorize(std::span<const double> values, WorkerPool& workers, std::stop_token stop = {},
                    const FactorProgress& progress = {});
-    /// Solves x ≈ K⁻¹ b; returns false if the result is not finite.
+    /// Solves x ≈ K⁻¹ b; returns false if the result is not finite. A factorization must have succeeded. b
+    /// and x have one number per unknown and may be the same array. The work is proportional to the entries
+    /// of the factor, and the result has the same bits for any number of threads.
     bool solve(std::span<const double> b, std::span<double> x, WorkerPool& workers);
 
     /// Return the bytes of the factor with the update matrices of that many threads, and how many of them the

@@ -44,7 +44,7 @@ void putBack(const Real* x, double factor, const std::vector<int>& order, std::s
 }
 
 /// Returns whether the unknowns come in pairs, as those of the vertices in the plane do: two columns and two
-/// rows each.
+/// rows each. Two numbers are then copied at a time.
 bool comeInPairs(const Supernodes& symbolic) {
     const auto isEven = [](int number) { return number % 2 == 0; };
     const auto arePairs = [](const std::vector<int>& numbers) {
@@ -94,7 +94,7 @@ void SupernodalFactor<Real>::placeWorkspaces() {
 }
 
 /// Solves forward with one front: takes its part of x, applies the panel, and adds the result to the rows
-/// below.
+/// below. A large panel of the separator is shared: its triangle comes first, in one thread.
 template <class Real>
 void SupernodalFactor<Real>::forwardFront(int s, Real* w, WorkerPool* workers) {
     const int columns = m_symbolic.columnsOf(s), rows = m_symbolic.rowsOf(s), n = leading(s);
@@ -155,6 +155,8 @@ void SupernodalFactor<Real>::forwardSolve(WorkerPool& workers) {
     for (const int s : m_tree.separator) forwardFront(s, m_w.data() + m_workspace.back(), &workers);
 }
 
+/// Solves backward in the separator, and then in the subtrees concurrently: each reads x in the rows above
+/// it, which are done, and writes its own rows only.
 template <class Real>
 void SupernodalFactor<Real>::backwardSolve(WorkerPool& workers) {
     for (auto s = m_tree.separator.rbegin(); s != m_tree.separator.rend(); ++s)

@@ -5,7 +5,8 @@
 namespace wend {
 
 /// The symbolic analysis of a sparse Cholesky factor. Its columns, in elimination order, form groups that
-/// share one pattern below a dense triangle.
+/// share one pattern below a dense triangle. Panel s is dense with rowsOf(s) × columnsOf(s) entries, of which
+/// those above the diagonal do not count.
 struct Supernodes {
     std::vector<int> order;     // elimination step → unknown
     std::vector<int> first;     // per supernode, and the end: its first column

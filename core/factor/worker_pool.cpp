@@ -42,11 +42,13 @@ WorkerPool::~WorkerPool() {
     m_threads.clear();
 }
 
+/// Publishes another job, which wakes the threads that sleep. kClosed wakes them without giving them work.
 void WorkerPool::publish(std::uint32_t next) {
     m_ticket.store(ticketOf(jobOf(m_ticket.load()) + 1, next));
     m_ticket.notify_all();
 }
 
+/// Gives the loop its share of the progress, and adds that to the finished part when it has ended.
 void WorkerPool::run(int count, int grain, Function function, void* context) {
     m_share = std::exchange(m_nextShare, 0) * (1 - m_part);
     m_done.store(0);
@@ -83,6 +85,7 @@ void WorkerPool::shareOut(int count, int grain, Function function, void* context
     }
 }
 
+/// Does a piece unless the work was stopped, and reports progress when it passes a hundredth.
 void WorkerPool::doPiece(int begin, int end) {
     if (m_stop.stop_requested()) return;
     m_function(m_context, begin, end);
@@ -93,7 +96,9 @@ void WorkerPool::doPiece(int begin, int end) {
     if (static_cast<int>(100 * now) > static_cast<int>(100 * part(before))) m_progress(now);
 }
 
-/// Claims the next piece of the current job, and does it. Returns false if there is none.
+/// Claims the next piece of the current job, and does it. Returns false if there is none. The claim succeeds
+/// only while the ticket is still the one from which job and piece were read, so a thread that was suspended
+/// meanwhile cannot do a piece of a later job with fields of an earlier one.
 bool WorkerPool::claimAndDo() {
     std::uint64_t ticket = m_ticket.load();
     while (true) {
@@ -123,6 +128,7 @@ std::uint64_t WorkerPool::waitForWork(std::uint64_t seen) {
     return now;
 }
 
+/// Does pieces of one job after another until the pool ends.
 void WorkerPool::serve(const std::stop_token& stop) {
     std::uint64_t seen = ticketOf(0, kClosed);
     while (!stop.stop_requested()) {

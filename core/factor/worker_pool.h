@@ -53,7 +53,9 @@ class WorkerPool {
     void measureNext(double share) { m_nextShare = share; }
 
     /// Calls work(begin, end) on consecutive pieces of [0, count) of at most `grain` items; the pieces do not
-    /// depend on the number of threads. `work` must not throw.
+    /// depend on the number of threads. `work` must not throw. It returns when all pieces are done; what they
+    /// wrote is then visible to the caller. Loops must not be nested, and one thread at a time may start
+    /// them. No item: `work` is not called.
     template <typename Work>
     void forPieces(int count, int grain, Work&& work) {
         using Plain = std::remove_reference_t<Work>;

@@ -17,6 +17,7 @@ constexpr double kAim = 0.1;
 constexpr double kLeastGrowth = 0.2, kMostGrowth = 3, kMostGrowthAtStart = 4;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
+/// Returns the growth of the step that brings an error of order h^(order + 1) to the aim of the control.
 double growth(double error, int order) {
     return std::pow(kAim / std::max(error, 1e-12), 1.0 / (order + 1));
 }
@@ -97,6 +98,7 @@ bool AdamsMethod<Dim>::attempt(const typename StepMethod<Dim>::Rhs& f, StageVect
     return true;
 }
 
+/// Lowers the order if that promises less error, and shortens the step by its error, by a tenth at least.
 template <int Dim>
 void AdamsMethod<Dim>::retry(Pace<Dim>& pace) const {
     const bool lower = m_errors[0] < m_errors[1];

@@ -46,7 +46,10 @@ class AdamsMethod final : public StepMethod<Dim> {
     std::array<double, 3> m_errors{};  // over the tolerance, of orders k − 1, k, k + 1; infinite: not known
 };
 
-/// Returns the integrals from a to b of the Lagrange polynomials over some times, one per time.
+/// Returns the integrals from a to b of the Lagrange polynomials over some distinct times, one per time: ∫
+/// Π_{j≠i} (t − t_j) / (t_i − t_j) dt. They sum to b − a, and are exact to rounding for up to eight times.
+/// With equal distances and [a, b] the interval after the last time they are the weights of Adams–Bashforth,
+/// with the interval before it those of Adams–Moulton (Hairer, Nørsett, Wanner I, III.1).
 std::vector<double> adamsWeights(const std::vector<double>& times, double a, double b);
 
 }  // namespace wend

@@ -144,7 +144,8 @@ class Rehearsal {
     /// A weld's number is behind those of the points.
     bool isWeld(int row) const { return row >= static_cast<int>(m_ids.size()); }
 
-    /// The other handle is the one that weighs most in the combination; of a weld, so are both.
+    /// Throws InputError that names two handles. The other handle is the one that weighs most in the
+    /// combination; of a weld, so are both.
     [[noreturn]] void contradict(const DependentRow& row, double t, const Points<Dim>& positions) const {
         const auto handleOf = [&](int index) { return m_constraints.points()[m_ids[index]].handle; };
         int first = isWeld(row.row) ? -1 : row.row, other = -1;

@@ -140,11 +140,14 @@ class Deformer {
         /// begin at the current state.
         StepSource<Dim>* known = nullptr;
     };
+    /// Advances as is said above. A `time` that is not after state().time takes no step, and emits the frames
+    /// that are due.
     AdvanceResult advance(double time, const Watch& watch = {});
 
     /// Returns v̂ at the current state, one column per vertex, in the domain's units per unit of time.
     /// Between two motions the one that begins counts; if nothing moves from here on, the one that ends.
-    /// There are no columns if the solver fails or is stopped.
+    /// There are no columns if the solver fails or is stopped. It is solved for exactly, whatever the
+    /// tolerance, and leaves the state and the bits of a continued run as they are.
     Points<Dim> velocity(const std::stop_token& stop = {});
     /// Returns why the last advance() ended early, or why velocity() has no columns.
     AdvanceResult failure() const;

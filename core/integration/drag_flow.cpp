@@ -59,7 +59,7 @@ Trajectory<Dim> trajectory(const Motion<Dim>& motion, const Normalization<Dim>& 
     return Trajectory<Dim>(units.normal(handle).motions[0]);
 }
 
-/// The same map of points in normalized coordinates.
+/// Returns the same map of points in normalized coordinates: x̂ ↦ A x̂ + (A c + b − c) / s.
 template <int Dim>
 AffineMap<Dim> normalized(const AffineMap<Dim>& map, const Normalization<Dim>& units) {
     return {map.A, units.normal(Vec<Dim>(map(units.centre))).eval()};
@@ -159,7 +159,7 @@ typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles,
     return done < 1 ? Led{done, describe(failure, handles)} : Led{};
 }
 
-/// The points of some handles are moved.
+/// Returns the targets with the points of some handles moved by a map.
 template <int Dim>
 typename DragFlow<Dim>::Targets DragFlow<Dim>::moved(const Targets& start, const std::vector<int>& handles,
                                                      const AffineMap<Dim>& map) const {
@@ -172,8 +172,8 @@ typename DragFlow<Dim>::Targets DragFlow<Dim>::moved(const Targets& start, const
     return result;
 }
 
-/// The whole displacement, unless the memory would draw the shape back so strongly that the midpoint rule
-/// overshoots.
+/// Returns the part of the displacement that is tried first: all of it, unless the memory would draw the
+/// shape back so strongly that the midpoint rule overshoots.
 template <int Dim>
 double DragFlow<Dim>::firstPart(const Targets& displacement) const {
     if (isElastic()) return 1;
@@ -259,7 +259,9 @@ bool DragFlow<Dim>::track(const Targets& targets) {
 }
 
 /// Takes one step to the targets: by the midpoint rule with the midpoint predicted from earlier fields, or
-/// along the minimum for an elastic shape.
+/// along the minimum for an elastic shape. The guess needs no solve while the pointer continues in a
+/// direction of earlier steps; else a rough field at the start predicts the midpoint. The end is put on the
+/// targets, so that errors do not add up at the handles.
 template <int Dim>
 bool DragFlow<Dim>::step(const Targets& targets) {
     if (isElastic()) return track(targets);

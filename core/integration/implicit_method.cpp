@@ -11,6 +11,8 @@ constexpr double kFirstMove = 0.05;
 // A step's error is of second order: what is predicted is linear in time.
 constexpr double kImplicitSafety = 0.8, kLeastImplicitGrowth = 0.25, kMostImplicitGrowth = 2;
 
+/// Returns the growth of the step after an error relative to what is allowed, which grows with the square of
+/// the step: 0.8 / √error, within [¼, 2].
 double factorFor(double error) {
     return std::clamp(kImplicitSafety / std::sqrt(std::max(error, 1e-3)), kLeastImplicitGrowth,
                       kMostImplicitGrowth);

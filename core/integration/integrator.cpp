@@ -186,7 +186,9 @@ double Deformer<Dim>::Integrator::memoryRate(double t, Side side) const {
     return settling > 0 ? settling : m_memory * largestColumn<Dim>(m_prescribed);
 }
 
-/// dx/dt = v̂(x, t) at the stages' shape (docs/method.md, (16)), constrained points as all others.
+/// Evaluates dx/dt = v̂(x, t) at the stages' shape (docs/method.md, (16)), constrained points as all others.
+/// A guess of the history saves iterations only where factors are reused. Returns false with the reason in
+/// m_failure, whose time is t.
 template <int Dim>
 bool Deformer<Dim>::Integrator::evaluate(double t, Side side, Points<Dim>& velocity) {
     m_failure = {};
@@ -230,7 +232,9 @@ bool Deformer<Dim>::Integrator::solveDirectly() {
     return true;
 }
 
-/// Points that slide on surfaces and other constraints take turns, until both hold to rounding.
+/// Points that slide on surfaces and other constraints take turns, until both hold to rounding. The
+/// correction of docs/method.md, (17), changes the points that slide, and putting these on their surfaces
+/// changes the others, but by less in every turn.
 template <int Dim>
 void Deformer<Dim>::Integrator::project(double t, Points<Dim>& shape) {
     constexpr int kMostTurns = 50;
@@ -265,8 +269,9 @@ bool Deformer<Dim>::Integrator::hasFramesBefore(double to) const {
     return m_watch && m_watch->onFrame && m_frame < m_watch->frames.size() && m_watch->frames[m_frame] < to;
 }
 
-/// The field at the end of the step that m_method holds, where the method needs it for frames or for a record
-/// of the step; null otherwise.
+/// Returns the field at the end of the step that m_method holds, where the method needs it for frames or for
+/// a record of the step; null otherwise. If the field cannot be computed, the mean velocity of the step
+/// replaces it: frames must not make a run fail.
 template <int Dim>
 Nodal<Dim> Deformer<Dim>::Integrator::endField(double from, double to) {
     const bool isWanted = hasFramesBefore(to) || (m_watch && m_watch->onStep);
@@ -280,7 +285,9 @@ Nodal<Dim> Deformer<Dim>::Integrator::endField(double from, double to) {
     return field;
 }
 
-/// The frames strictly inside the step that m_method holds; one at its end is the state itself.
+/// Emits the frames strictly inside the step that m_method holds; one at its end is the state itself. A frame
+/// is the method's interpolant with its constrained points put on their paths. If that has an inverted cell,
+/// an elastic shape is led there from the nearer end of the step, and any other is blended towards that end.
 template <int Dim>
 void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<Dim>& endField) {
     const Points<Dim> none;
@@ -303,7 +310,7 @@ void Deformer<Dim>::Integrator::emitFrames(double from, double to, const Nodal<D
     }
 }
 
-/// One step further towards a time; false if the run ends, m_failure says why.
+/// Takes one step further towards a time. Returns false if the run ends; m_failure says why.
 template <int Dim>
 bool Deformer<Dim>::Integrator::goesOn(double time) {
     activate(Side::After);

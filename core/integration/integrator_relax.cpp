@@ -53,7 +53,8 @@ bool Deformer<Dim>::Integrator::springs() {
     return m_solver->restForce(state.normalized) > kSettledForce;
 }
 
-/// Displacements of the constrained points from a shape to their places at a time.
+/// Returns the displacements of the constrained points from a shape to their places at a time, one column
+/// each.
 template <int Dim>
 Points<Dim> Deformer<Dim>::Integrator::displacements(double t, const Points<Dim>& shape) {
     prescribe(t, Side::Before, shape);
@@ -100,7 +101,9 @@ Descended Deformer<Dim>::Integrator::descend(double t, Points<Dim>& shape, doubl
     return result;
 }
 
-/// shape = argmin W(x) + (1/pull) (x − x₀)ᵀ A (x − x₀) under the constraints at `to`, x₀ and A at the origin.
+/// Computes argmin W(x) + (1/pull) (x − x₀)ᵀ A (x − x₀) under the constraints at `to`, with x₀ and A at the
+/// origin (docs/method.md, (23)). A Newton step for the displaced constraints comes first, so that the
+/// descent starts from a shape that satisfies them.
 template <int Dim>
 bool Deformer<Dim>::Integrator::proximalStep(const Points<Dim>& origin, double to, double pull,
                                              Points<Dim>& shape) {
@@ -116,7 +119,8 @@ bool Deformer<Dim>::Integrator::proximalStep(const Points<Dim>& origin, double t
     return good;
 }
 
-/// The last step of a window ends at the minimum of W itself.
+/// Takes a step of a settle window, docs/method.md, (25). It reports the same error every time, by which the
+/// steps become longer and longer; the last one of a window ends at the minimum of W itself.
 template <int Dim>
 bool Deformer<Dim>::Integrator::settle(double from, double to, const Points<Dim>& start, Points<Dim>& result,
                                        double& error) {
@@ -152,7 +156,11 @@ bool Deformer<Dim>::Integrator::relaxWithMemory(double from, double to, const Po
     return true;
 }
 
-/// The minimum of W at the end of the step, tracked from the one at its start.
+/// Moves an elastic shape to the minimum of W at the end of the step (docs/method.md, (24)), tracked from the
+/// one at its start: predicted by one Newton step, corrected by the descent. The error is the correction in
+/// terms of what is allowed, and infinite if the descent did not converge or passed a saddle, which are signs
+/// that the branch has ended. A step of the least length is accepted in any case; it counts as a snap if the
+/// correction was long, unless constraints were released there.
 template <int Dim>
 bool Deformer<Dim>::Integrator::track(double from, double to, const Points<Dim>& start, Points<Dim>& result,
                                       double& error) {

@@ -7,7 +7,9 @@
 
 namespace wend {
 
-/// The next time after the current one where a step has to end.
+/// Returns the next time after the current one where a step has to end: the wanted time, a breakpoint or,
+/// with prescribed steps, the next multiple of their width. The factors next to 1 put a time that is such a
+/// multiple up to rounding on it.
 template <int Dim>
 double Deformer<Dim>::Integrator::nextStop(double time) const {
     double stop = std::min(time, nextBreakpoint(state.time));
@@ -46,7 +48,8 @@ double Deformer<Dim>::Integrator::startStep(double to) const {
     return rate > 0 ? std::min(step, 1 / rate) : step;
 }
 
-/// Returns the next time on the way to a stop, without a tiny step before it.
+/// Returns the next time on the way to a stop, without a tiny step before it. A rest that is a little longer
+/// than the step is taken as a whole, and one of up to two steps in two halves.
 template <int Dim>
 double Deformer<Dim>::Integrator::proposedStep(double stop) const {
     const double rest = stop - state.time;
@@ -68,8 +71,9 @@ double Deformer<Dim>::Integrator::smallestStep() const {
     return m_options.smallestStep * stretch();
 }
 
-/// Tries to step from the current state to a time. The error over the tolerance (0 for fixed steps), or
-/// nothing if a stage or the result could not be had.
+/// Tries to step from the current state to a time. Returns the error over the tolerance (0 for fixed steps),
+/// or nothing with the reason in m_failure if a field could not be computed or the result has an inverted
+/// cell. Only a result whose error is allowed is projected and examined.
 template <int Dim>
 std::optional<double> Deformer<Dim>::Integrator::attempt(const Nodal<Dim>& start, double to) {
     const auto rhs = [this](double t, Side side, StageVectors<Dim>&, Points<Dim>& v) {
@@ -122,7 +126,9 @@ bool Deformer<Dim>::Integrator::isTooStiff() const {
 }
 
 /// Makes one accepted step towards a stop, after as many attempts as needed. Returns false with m_failure if
-/// the run ends.
+/// the run ends. Too large an error lets the method choose a shorter step, a failure halves it. The run ends
+/// where the step falls below the smallest one. A stop leaves the pace as it was, so that the continued run
+/// takes the same steps.
 template <int Dim>
 bool Deformer<Dim>::Integrator::step(double stop) {
     const Pace<Dim> before = state.pace;

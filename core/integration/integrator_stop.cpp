@@ -30,8 +30,8 @@ int Deformer<Dim>::Integrator::fastestPoint() const {
     return fastest;
 }
 
-/// The constrained point next to a place (normalized) among those of handles that move, or of all if none
-/// does; −1 without any.
+/// Returns the constrained point next to a place (normalized) among those of handles that move, or of all if
+/// none does; −1 without any.
 template <int Dim>
 int Deformer<Dim>::Integrator::nearestPoint(const Vec<Dim>& place) const {
     const bool any = m_constraints->moving(state.time, Side::After);

@@ -12,6 +12,7 @@ constexpr double kCrushed = 1e-9;
 // Rounding of the coordinates' differences and products is a tenth of this (see isFlat()).
 constexpr double kRounding = 1e-14;
 
+/// Returns the measure of a square or cube on the cell's longest edge.
 template <int Dim>
 double cubeOnLongestEdge(const Points<Dim>& points, const Cell<Dim>& cell) {
     double longest = 0;  // squared

@@ -21,7 +21,8 @@ struct Tableau {
 
     /// Returns the coefficients of a method: DormandPrince the pair 5(4) of Dormand and Prince (1980), which
     /// Adams uses, too, with prescribed steps; RungeKutta4 the classical method of order 4; Midpoint that of
-    /// order 2 (Hairer, Nørsett, Wanner I, II.1 and II.5).
+    /// order 2 (Hairer, Nørsett, Wanner I, II.1 and II.5). The reference is valid for the whole run of the
+    /// program. Arrays beyond `stages` are 0.
     static const Tableau& of(Method method);
 };
 

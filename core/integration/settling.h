@@ -14,7 +14,7 @@ class Settling {
     explicit Settling(std::vector<SettleWindow> windows) : m_windows(std::move(windows)) {}
 
     /// Returns the rate at which the gradient is followed: 30 / (t1 − t0) inside an interval, so that e⁻³⁰ of
-    /// a small deviation remains at its end; 0 outside.
+    /// a small deviation remains at its end; 0 outside. At an end of a window the side decides.
     double rate(double t, Side side) const;
     /// Return the first end of a window after t, or +infinity, and the last one up to t, or −infinity.
     double nextBreakpoint(double t) const;

@@ -120,7 +120,9 @@ class StatesWriter {
     /// Appends a checkpoint from which a run can continue; `state` is at the end of the last step. Throws
     /// InputError.
     void checkpoint(const State<Dim>& state, const Statistics& statistics);
-    /// Returns whether enough was computed since the last checkpoint to pay for another.
+    /// Returns whether enough was computed since the last checkpoint to pay for another: at least a quarter
+    /// of a second, and twenty times as long as the last one took to write. The clock decides how often
+    /// states are kept, never what they are.
     bool isDue() const;
     /// Returns the time of the last checkpoint, if there is one.
     std::optional<double> reached() const { return m_reached; }

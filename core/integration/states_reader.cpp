@@ -40,7 +40,9 @@ void StatesReader<Dim>::scan() {
     if (!m_hasHeader || m_end == 0) failAt(at);
 }
 
-/// False if there is no whole block there.
+/// Notes the block at a place and moves the place behind it. Returns false if there is no whole block there.
+/// Only the checksums of headers and checkpoints are verified now; payload() verifies the others when they
+/// are needed.
 template <int Dim>
 bool StatesReader<Dim>::scanBlock(std::uint64_t& at) {
     const std::uint64_t left = m_file.size() - at;
@@ -135,6 +137,7 @@ StepRecord<Dim> StatesReader<Dim>::next() {
     return step;
 }
 
+/// Throws InputError if the checkpoint is not of the time at which the steps have ended.
 template <int Dim>
 void StatesReader<Dim>::resume(State<Dim>& state, Statistics& statistics) {
     Checkpoint<Dim> kept;

@@ -116,7 +116,7 @@ void StatesWriter<Dim>::writeBlock(BlockKind kind, std::string_view head, std::s
     write(after.data(), after.size());
 }
 
-/// The arrays of the value come first.
+/// Writes a value as a block, after the arrays that it refers to and that are not in the file yet.
 template <int Dim>
 template <class Value>
 void StatesWriter<Dim>::store(BlockKind kind, Value& value) {
@@ -146,7 +146,8 @@ void StatesWriter<Dim>::add(const StepRecord<Dim>& step) {
     std::erase_if(m_ids, [](const auto& one) { return one.first.expired(); });
 }
 
-/// Writes the checkpoint after everything that it counts for is on the disk.
+/// Writes the checkpoint after everything that it counts for is on the disk. A power failure between both
+/// flushes leaves the checkpoint before.
 template <int Dim>
 void StatesWriter<Dim>::checkpoint(const State<Dim>& state, const Statistics& statistics) {
     const auto begin = Clock::now();
@@ -163,6 +164,8 @@ void StatesWriter<Dim>::checkpoint(const State<Dim>& state, const Statistics& st
     m_cost = m_last - begin;
 }
 
+/// Lets the time between checkpoints grow with their cost, so that they take a twentieth of a run at most,
+/// even on a slow disk.
 template <int Dim>
 bool StatesWriter<Dim>::isDue() const {
     return Clock::now() - m_last > std::max<Clock::duration>(kLeastApart, kPart * m_cost);

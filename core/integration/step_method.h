@@ -65,7 +65,8 @@ class StepMethod {
     static std::unique_ptr<StepMethod> of(Method method, double tolerance);
     virtual ~StepMethod() = default;
 
-    /// Returns the first step if the fastest points have this speed.
+    /// Returns the first step if the fastest points have this speed. `speed` is in sizes per unit of time and
+    /// positive; the step is in the same unit of time.
     virtual double firstStep(double speed) const = 0;
     /// Attempts a step from x at t to `to`, with sums by the stages; adds the field at t to the pace if it
     /// was unknown. Returns false if a field could not be evaluated.

@@ -29,7 +29,9 @@ class StepProgress {
     void succeed() { m_expected = m_fields; }
     /// Counts a field as done.
     void fieldDone();
-    /// Reports the fraction of some work on the current field that is done.
+    /// Reports the fraction of some work on the current field that is done. A field that needs a factor or
+    /// levels has 60 % of its work in these. A step that takes more fields than expected stays at its last
+    /// part.
     void tell(FieldWork work, double part);
 
   private:

@@ -11,7 +11,9 @@ namespace wend {
 
 /// The reasons for which a motion cannot continue.
 enum class StopReason { CellInverted, StepTooSmall, Indefinite, NotFinite, NotConverged };
-/// Returns the reason for an outcome that is not done.
+/// Returns the reason for an outcome that is not done. NotPositiveDefinite becomes Indefinite; NotFinite, and
+/// everything without a reason of its own such as a stopped solve, NotFinite. StepTooSmall is the
+/// integrator's own.
 StopReason reasonOf(const SolveOutcome& outcome);
 
 /// Describes to a user why a handle, "it", cannot continue: what is wrong, where, and what helps. `place` is
@@ -19,7 +21,7 @@ StopReason reasonOf(const SolveOutcome& outcome);
 Message stopMessage(StopReason reason, const std::string& place, int cell);
 
 /// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if
-/// it did not. The place has `dimension` coordinates.
+/// it did not. The place has `dimension` coordinates. The place is that of the first snap.
 Message snapMessage(const std::vector<Snap>& snaps, int dimension);
 
 }  // namespace wend

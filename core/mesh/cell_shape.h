@@ -17,7 +17,7 @@ struct CellShape {
     double minAngle = 0, maxAngle = 0;  // radians: dihedral angles, in the plane those at the corners
 };
 
-/// Computes the shape of one cell.
+/// Computes the shape of one cell. A flat one has the aspect ratio ∞, a single point the scaled Jacobian 0.
 template <int Dim>
 CellShape cellShape(const Points<Dim>& points, const Cell<Dim>& cell);
 
@@ -26,7 +26,8 @@ template <int Dim>
 std::vector<CellShape> cellShapes(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells);
 
 /// Returns the deformation gradient F of every cell, the gradient of its map from rest: F (x_i − x_0) =
-/// pose_i − pose_0.
+/// pose_i − pose_0. F is Dim × Dim and dimensionless. `pose` is Dim × n as the points of `rest`, none of
+/// whose cells may be flat.
 template <int Dim>
 std::vector<Mat<Dim>> deformationGradients(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
 

@@ -36,7 +36,7 @@ void addFacet(CutSurface& surface, const Facet<3>& facet, int side, bool onCut) 
         addTriangle(surface, vertex(v[0]), vertex(v[2]), vertex(v[1]), facet.cells[1], onCut);
 }
 
-/// The corner where the plane crosses the edge between heights of different sign.
+/// Returns the corner where the plane crosses the edge between heights of different sign.
 CutCorner crossing(int from, int to, const std::vector<double>& height) {
     return {from, to, height[from] / (height[from] - height[to])};
 }
@@ -47,7 +47,8 @@ std::vector<double> heights(const Points3& pose, const CutPlane& plane) {
     return height;
 }
 
-/// The part of a boundary facet that stays (Sutherland and Hodgman's clipping of one polygon at one plane).
+/// Adds the part of a boundary facet that stays (Sutherland and Hodgman's clipping of one polygon at one
+/// plane).
 void addClipped(CutSurface& surface, const Facet<3>& facet, const std::vector<double>& height) {
     std::vector<CutCorner> polygon;
     for (int k = 0; k < 3; ++k) {
@@ -58,7 +59,7 @@ void addClipped(CutSurface& surface, const Facet<3>& facet, const std::vector<do
     addFan(surface, polygon, facet.cells[0], false);
 }
 
-/// The section of a cell: a triangle or a quadrilateral, its corners in order, facing along the normal.
+/// Adds the section of a cell: a triangle or a quadrilateral, its corners in order, facing along the normal.
 void addSection(CutSurface& surface, const Cell<3>& cell, int index, const Points3& pose,
                 const CutPlane& plane, const std::vector<double>& height) {
     std::vector<int> behind, before;

@@ -31,12 +31,14 @@ struct CutSurface {
 /// Returns the whole surface of the solid: its boundary facets.
 CutSurface wholeSurface(const std::vector<Facet<3>>& facets);
 
-/// Returns the surface of the union of all cells whose centroid is not cut off ("crinkle" cut).
+/// Returns the surface of the union of all cells whose centroid is not cut off ("crinkle" cut). Triangles
+/// between a cell that stays and one that does not are on the cut.
 CutSurface wholeCellCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets,
                         const Points3& pose, const CutPlane& plane);
 
 /// Returns the exact cut: the boundary facets clipped at the plane, and the plane's sections of all cells
-/// that it crosses.
+/// that it crosses. Sections face along the plane's normal. A vertex on the plane counts as staying, so a
+/// plane through vertices may give triangles without area, but no gap. Time is linear in facets and cells.
 CutSurface exactCut(const SimplicialMesh<3>& mesh, const std::vector<Facet<3>>& facets, const Points3& pose,
                     const CutPlane& plane);
 

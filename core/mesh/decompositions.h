@@ -14,7 +14,8 @@ struct SingularValues {
     Vec<Dim> sigma;
 };
 
-/// Computes the decomposition by Jacobi rotations, which are backward stable.
+/// Computes the decomposition by Jacobi rotations, which are backward stable. U and V may be reflections;
+/// columns of singular values that are equal are arbitrary. NaN in A gives NaN.
 template <int Dim>
 SingularValues<Dim> singularValueDecomposition(const Mat<Dim>& A);
 /// Computes σ alone.
@@ -43,11 +44,13 @@ struct EigenPairs {
 /// Computes the decomposition by QR iterations; reads the lower triangle.
 EigenPairs eigenPairs(const Eigen::MatrixXd& A);
 
-/// Returns the largest eigenvalue of a symmetric tridiagonal matrix.
+/// Returns the largest eigenvalue of a symmetric tridiagonal matrix. `side` is one shorter than `diagonal`,
+/// which must not be empty.
 double largestEigenvalue(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& side);
 
 /// Returns the pseudoinverse A⁺ by a complete orthogonal decomposition. Directions of A that are weaker than
-/// the relative tolerance count as 0.
+/// the relative tolerance count as 0. It has as many rows as A has columns. The tolerance is relative to the
+/// largest pivot.
 Eigen::MatrixXd pseudoInverse(const Eigen::MatrixXd& A, double tolerance);
 
 /// Returns the shortest of all x of least |A x − b|, in the same manner.

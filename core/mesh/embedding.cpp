@@ -86,7 +86,8 @@ class Embedding<Dim>::Outside {
         return result;
     }
 
-    /// The mean gradient at a vertex, times the offset.
+    /// Adds the weights of G · offset with the mean gradient G = Σ_c V_c F_c / Σ_c V_c at a vertex. With F_c
+    /// = Σ_k x_k g_kᵀ, corner k of cell c has the weight V_c / Σ V · (g_k · offset).
     void addGradient(int vertex, const Vec<Dim>& offset, std::map<int, double>& weights) const {
         double volume = 0;
         for (int i = m_offsets[vertex]; i < m_offsets[vertex + 1]; ++i)

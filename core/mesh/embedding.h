@@ -12,7 +12,8 @@ namespace wend {
 template <int Dim>
 class Embedding {
   public:
-    /// Locates the points in the rest mesh.
+    /// Locates the points in the rest mesh. Throws InputError that numbers the point if there is no cell, or
+    /// if it is not finite.
     Embedding(const SimplicialMesh<Dim>& rest, const Points<Dim>& points);
 
     /// Returns the points in a pose (both Dim × n). At rest they equal the originals bit for bit (except for
@@ -20,7 +21,8 @@ class Embedding {
     Points<Dim> carry(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose) const;
     /// Returns other values of the vertices, interpolated at the points.
     Points<Dim> interpolate(const SimplicialMesh<Dim>& rest, const Points<Dim>& values) const;
-    /// Returns the vertices and weights of a point.
+    /// Returns the vertices and weights of a point, which sum to 1 up to rounding. A point inside has no
+    /// weights of 0; those of a point outside may be negative.
     std::vector<std::pair<int, double>> weights(const SimplicialMesh<Dim>& rest, int point) const;
     /// Returns the cell that a point follows.
     int cell(int point) const { return m_locations[static_cast<std::size_t>(point)].cell; }

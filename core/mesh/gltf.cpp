@@ -118,7 +118,7 @@ std::string bytesOrNone(const std::string& path) try { return readInput(path); }
 /// Textures by the path of their picture.
 using Textures = std::map<std::string, int>;
 
-/// The picture as a texture; −1 if it is missing or of another format.
+/// Adds the picture as a texture and returns its number; −1 if it is missing or of another format.
 int addTexture(Json& gltf, Buffer& buffer, Textures& textures, const std::string& path) {
     if (const auto known = textures.find(path); known != textures.end()) return known->second;
     const std::string bytes = bytesOrNone(path);
@@ -184,7 +184,8 @@ void appendWord(std::string& out, std::uint32_t word) {
     for (int k = 0; k < 4; ++k) out += static_cast<char>((word >> (8 * k)) & 0xFF);
 }
 
-/// Header, JSON chunk (padded with spaces), binary chunk (padded with zeros): glTF 2.0, section 4.4.
+/// Returns a file: header, JSON chunk (padded with spaces), binary chunk (padded with zeros): glTF 2.0,
+/// section 4.4.
 std::string container(const Json& gltf, const std::string& bytes) {
     std::string text = gltf.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');

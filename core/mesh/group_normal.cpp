@@ -90,7 +90,7 @@ std::vector<FacetVertices<Dim>> facetsIn(const MeshFile& file, const std::vector
     return facets;
 }
 
-/// The facets of the boundary all of whose vertices are in the list.
+/// Returns the facets of the boundary all of whose vertices are in the list.
 template <int Dim>
 std::vector<FacetVertices<Dim>> facetsBetween(const MeshFile& file, const std::vector<int>& vertices,
                                               const std::map<FacetVertices<Dim>, Vec<Dim>>& boundary) {

@@ -29,7 +29,7 @@ std::vector<const MeshGroup*> groupsNamed(const MeshFile& file, const std::strin
     return {};
 }
 
-/// The vertices that triangles or tetrahedra of the mesh have: what is bent.
+/// Marks the vertices that triangles or tetrahedra of the mesh have, which are those that move.
 std::vector<char> ownVertices(const MeshFile& file) {
     std::vector<char> own(static_cast<std::size_t>(file.points.cols()), 0);
     if (isVolume(file))

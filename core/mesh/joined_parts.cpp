@@ -18,7 +18,8 @@ DisjointSets connectedParts(const SimplicialMesh<Dim>& mesh) {
     return parts;
 }
 
-/// Sorts, and returns whether the permutation was odd.
+/// Sorts, and returns whether the permutation was odd. Two facets at one place face each other if one
+/// permutation is odd and the other even.
 template <std::size_t N>
 bool sortedOddly(std::array<int, N>& ids) {
     bool odd = false;

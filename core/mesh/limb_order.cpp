@@ -128,7 +128,7 @@ class CellGraph {
         }
         return {};
     }
-    /// The cell of each component that is farthest from the boundary.
+    /// Returns the cell of each component that is farthest from the boundary, the first of several.
     std::vector<int> middles(const std::vector<double>& inside) {
         std::vector<int> farthest(m_neighbours.size(), -1), cells;
         for (int c = 0; c < count(); ++c) {
@@ -245,7 +245,7 @@ class BodyTree {
         }
     }
 
-    /// All cells are its own at first.
+    /// Adds a node of the tree, whose cells are all its own at first.
     int newNode(const Work& work) {
         const int node = static_cast<int>(m_nodes.size());
         m_nodes.push_back({});
@@ -337,7 +337,7 @@ class BodyTree {
         return part;
     }
 
-    /// How far the part reaches from the body that it hangs on.
+    /// Returns how far the part reaches from the body that it grows from: the longest of its shortest paths.
     template <typename IsBody, typename Within>
     double lengthOf(const std::vector<int>& part, const IsBody& isBody, const Within& within) const {
         using Entry = std::pair<double, int>;
@@ -367,7 +367,8 @@ class BodyTree {
         return node.limbs.size() > 1 && node.thickness >= kAsThick * m_nodes[node.parent].thickness;
     }
 
-    /// A body, then what grows from it.
+    /// Places a body, and then what grows from it, the thickest first. A body nearly as thick as the one that
+    /// it grows from hands its limbs over, so that they are ordered among that one's limbs.
     void place(int root) {
         m_nodes[root].place = m_places++;
         std::vector<int> waiting = m_nodes[root].limbs;
@@ -592,6 +593,9 @@ class Prongs {
 
 }  // namespace
 
+/// Sorts the cells by the limb that they belong to, within it by the branch of the join tree, then by reach,
+/// and last by number, which makes the order total. BodyTree finds limbs by thickness, LimbTree branches by
+/// reach; the prongs of both tell where a thick body forks.
 std::vector<int> limbOrder(const SimplicialMesh<2>& mesh) {
     CellGraph graph(mesh);
     const std::vector<double> depths = graph.depths(), reach = graph.distances(graph.middles(depths));

@@ -69,8 +69,9 @@ MeshFile readMeshFile(const std::string& path, MeshNeeds needs = MeshNeeds::Cell
 /// are an error, fields and uv are left out. Numbers have 17 significant digits.
 void writeMeshFile(const std::string& path, const MeshFile& mesh, const MeshWriteOptions& options = {});
 
-/// Returns a mesh as the content of a file, in the same order and units, without fields: planar points (2 ×
-/// n) get z = 0; cells become `triangles` in 2D and `tetrahedra` in 3D.
+/// Returns a mesh as the content of a file, in the same order and units, without fields, groups and a list of
+/// cells: planar points (2 × n) get z = 0; cells become `triangles` in 2D and `tetrahedra` in 3D, whose
+/// boundary is not listed. Parts and welds are left out.
 template <int Dim>
 MeshFile toMeshFile(const SimplicialMesh<Dim>& mesh);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFlat = 1e-6;  // of the diagonal
 
-/// The vertices that triangles have.
+/// Returns the vertices that triangles have, in their order.
 Points3 usedPoints(const Points3& points, const std::vector<std::array<int, 3>>& triangles) {
     std::vector<char> isUsed(static_cast<std::size_t>(points.cols()), 0);
     for (const auto& t : triangles)

@@ -88,6 +88,7 @@ void forBins(const Index<Dim>& low, const Index<Dim>& high, const Visit& visit) 
     }
 }
 
+/// Returns the number of bins of a size, as a double because it may be too large for an int.
 template <int Dim>
 double binsNeeded(const Vec<Dim>& extent, double size) {
     double product = 1;
@@ -192,7 +193,7 @@ struct PointLocator<Dim>::Grid {
         });
     }
 
-    /// The highest cell of the bin that contains p, if it is above the one found so far.
+    /// Finds the highest cell of the bin that contains p, if it is above the one found so far.
     void findIn(int bin, const Vec<Dim>& p, double tolerance, std::optional<Location<Dim>>& found) const {
         for (int at = cellsOfBin.starts[bin + 1] - 1; at >= cellsOfBin.starts[bin]; --at) {
             const int cell = cellsOfBin.ids[at];

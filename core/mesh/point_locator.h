@@ -15,7 +15,8 @@ struct Location {
 };
 
 /// Finds cells that contain points, over a uniform grid of the cells' bounding boxes. Keeps its own copy of
-/// nothing but the grid: mesh connectivity and points must outlive it.
+/// nothing but the grid: mesh connectivity and points must outlive it. Building takes about linear time for
+/// cells of similar sizes, a query about constant time. Queries may run in several threads at a time.
 template <int Dim>
 class PointLocator {
   public:
@@ -24,7 +25,8 @@ class PointLocator {
     PointLocator(PointLocator&&) noexcept;
 
     /// Returns the cell that contains p (with all weights ≥ −tolerance; of several, as at a shared facet or
-    /// where the shape overlaps itself, the one of highest index), or nothing.
+    /// where the shape overlaps itself, the one of highest index), or nothing. The weights sum to 1. Nothing
+    /// is found for a p that is not finite; flat cells and cells with such corners are never found.
     std::optional<Location<Dim>> find(const Vec<Dim>& p, double tolerance = 1e-12) const;
     /// Returns the nearest vertex of a cell (of any vertex if there are no cells), the lowest of several; −1
     /// if there is none or p is not finite.

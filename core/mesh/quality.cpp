@@ -51,7 +51,8 @@ double shortestEdge(const Points<Dim>& points, const Cell<Dim>& cell) {
     return shortest;
 }
 
-/// The circumcentre c relative to x0 has 2 e_k · c = |e_k|² for the edges e_k from x0.
+/// Returns the length of c, where the circumcentre relative to x0 has 2 e_k · c = |e_k|² for the edges e_k
+/// from x0.
 template <int Dim>
 double circumradius(const Mat<Dim>& edges) {
     const Vec<Dim> squares = edges.colwise().squaredNorm().transpose() / 2;

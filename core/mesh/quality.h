@@ -7,8 +7,8 @@
 
 namespace wend {
 
-/// Returns whether a cell's measure is below 1e-14 of that of a cube on its longest edge, where rounding
-/// determines the orientation.
+/// Returns whether a cell's measure is at most 1e-14 of that of a cube on its longest edge, where rounding
+/// determines the orientation. A cell whose vertices coincide is flat.
 template <int Dim>
 bool isFlat(const Points<Dim>& points, const Cell<Dim>& cell);
 
@@ -20,7 +20,9 @@ struct CellQuality {
         0;  // circumradius / shortest edge: 0.577 (2D) or 0.612 (3D) at best, ∞ for a flat cell
 };
 
-/// Computes the quality of one cell.
+/// Computes the quality of one cell. Angles between facets j and k are π − ∠(n_j, n_k) with the outward
+/// normals n, and the circumcentre c relative to corner 0 solves 2 e_k · c = |e_k|² for the edges e_k. A cell
+/// of measure 0 has the angle 0 and the ratio ∞.
 template <int Dim>
 CellQuality cellQuality(const Points<Dim>& points, const Cell<Dim>& cell);
 
@@ -45,7 +47,9 @@ struct QualitySummary {
                                       // the last one all beyond
 };
 
-/// Computes the summary of a mesh.
+/// Computes the summary of a mesh. Values beyond the ends of a histogram count in its first or last bin;
+/// cells of measure 0 count with a least angle of 0, but have no angles in `allAngles`. Without cells all is
+/// 0, and the worst cell −1.
 template <int Dim>
 QualitySummary qualityOf(const SimplicialMesh<Dim>& mesh);
 

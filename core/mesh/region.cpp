@@ -10,7 +10,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Even–odd rule: a point is inside if a ray from it crosses the boundary an odd number of times.
+/// Returns the signed distance by the even–odd rule: a point is inside if a ray from it crosses the boundary
+/// an odd number of times.
 template <int Dim>
 double distanceOf(const Polygon& polygon, const Vec<Dim>& at) {
     const Vec2 p = at.template head<2>();

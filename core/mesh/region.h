@@ -59,13 +59,16 @@ Region<Dim> regionIn(const Region<3>& region) {
         return inPlane(region);
 }
 
-/// Returns the signed distance to the boundary of the region, negative inside; −infinity for a Blend, which
-/// has none.
+/// Returns the signed distance to the boundary of the region, negative inside. A polygon is inside by the
+/// even–odd rule, and has +infinity without points; a half-space without a normal holds nothing, +infinity; a
+/// Blend has no boundary, −infinity. The corners of a box may be given in any order.
 template <int Dim>
 double signedDistance(const Region<Dim>& region, const Vec<Dim>& p);
 
-/// Returns the membership of p in the region, in [0, 1]: 1 inside, 0 outside, smooth (C¹) over the width
-/// `feather` centred on the boundary; for a Blend the parameter along its segment, clamped to [0, 1].
+/// Returns the membership of p in the region, in [0, 1]: 1 inside, 0 outside, and over the width `feather`,
+/// centred on the boundary, 3t² − 2t³ with t = ½ − distance / feather, which is C¹ and ½ on the boundary.
+/// Without a feather the boundary is inside. For a Blend it is the parameter along its segment, clamped to
+/// [0, 1]; 0 if both ends coincide.
 template <int Dim>
 double membership(const Region<Dim>& region, const Vec<Dim>& p, double feather);
 

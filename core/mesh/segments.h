@@ -18,7 +18,9 @@ double distanceToSegment(const Vec<Dim>& p, const Vec<Dim>& a, const Vec<Dim>& b
 /// with an odd number of crossings. Half-open in y, so that a ray through a corner counts once.
 bool crossesRay(const Vec2& a, const Vec2& b, const Vec2& p);
 
-/// Returns the signed area of a closed loop by the shoelace formula.
+/// Returns the signed area of a closed loop by the shoelace formula. It is positive for counter-clockwise
+/// loops in (x, y). Products are relative to the first point, so that a loop far from the origin keeps its
+/// digits; 0 for fewer than three points.
 double loopArea(const std::vector<Vec2>& loop);
 
 }  // namespace wend

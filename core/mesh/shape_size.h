@@ -16,7 +16,8 @@ struct ShapeSize {
 };
 
 /// Computes them exactly for a union of cells: ∫|x − m|² over a simplex of measure V with corners x_k and
-/// centroid c is V (|c − m|² + Σ_k |x_k − c|² / ((d + 1)(d + 2))). Unused vertices do not count.
+/// centroid c is V (|c − m|² + Σ_k |x_k − c|² / ((d + 1)(d + 2))). Unused vertices do not count. The
+/// orientation of cells does not matter. Without cells all is 0.
 template <int Dim>
 ShapeSize<Dim> shapeSize(const Points<Dim>& points, const std::vector<Cell<Dim>>& cells);
 

@@ -15,7 +15,8 @@ constexpr double factorial(int n) {
     return n <= 1 ? 1 : n * factorial(n - 1);
 }
 
-/// The facet opposite to local vertex k, ordered so that it runs along the boundary of a positive cell.
+/// Returns the facet opposite to local vertex k, ordered so that it runs along the boundary of a positive
+/// cell.
 template <int Dim>
 std::array<int, Dim> oppositeFacet(const Cell<Dim>& cell, int k) {
     std::array<int, Dim> facet;

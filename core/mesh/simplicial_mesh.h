@@ -37,7 +37,8 @@ struct SimplicialMesh {
     int cellCount() const { return static_cast<int>(cells.size()); }
 };
 
-/// Returns the signed area or volume of a cell, det[x1 − x0, …] / Dim!.
+/// Returns the signed area or volume of a cell, det[x1 − x0, …] / Dim!. Its unit is that of the points to the
+/// power of Dim; 0 for a flat cell up to rounding.
 template <int Dim>
 double cellMeasure(const Points<Dim>& points, const Cell<Dim>& cell);
 
@@ -56,14 +57,16 @@ struct Facet {
 };
 
 /// Returns all facets in the order of the cells that contribute them. Throws InputError naming the cells if
-/// more than two share one.
+/// more than two share one. cells[0] is the cell of the lower number. Vertex indices must be valid. Time is
+/// linear as a rule, also where many cells share a vertex.
 template <int Dim>
 std::vector<Facet<Dim>> facetsOf(const SimplicialMesh<Dim>& mesh);
 
 /// Throws InputError that names vertex or cell for: no cell; NaN or infinite coordinates; an index out of
-/// range; a repeated vertex in a cell; a zero measure (relative to the diagonal); a duplicate cell; cells of
-/// both orientations (an inverted one); a facet of more than two cells. All cells of negative orientation are
-/// accepted.
+/// range; a repeated vertex in a cell; a flat cell (see isFlat); a duplicate cell; cells of both
+/// orientations, of which the rarer ones count as inverted; a facet of more than two cells. The checks run in
+/// this order, and the first finding is thrown. All cells of negative orientation are accepted; parts and
+/// welds are not looked at.
 template <int Dim>
 void requireValid(const SimplicialMesh<Dim>& mesh);
 

@@ -35,7 +35,7 @@ struct Skin {
 };
 
 /// Returns the boundary of a solid, oriented outwards where its cells are positive, with only the vertices on
-/// it.
+/// it. Vertices keep their order, and triangles have that of the cells behind them.
 Skin boundaryOf(const SimplicialMesh<3>& mesh);
 
 /// A skin with one texture coordinate per vertex, as GPUs and glTF require.
@@ -49,7 +49,8 @@ struct UnfoldedSkin {
 UnfoldedSkin unfolded(const Skin& skin);
 
 /// Returns unit normals of the vertices, weighted by the corners' angles; zero at vertices without a
-/// triangle.
+/// triangle. The weights (Thürmer and Wüthrich 1998) make the result independent of how flat parts are
+/// triangulated.
 Points3 vertexNormals(const Points3& points, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace wend

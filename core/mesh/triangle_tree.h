@@ -8,8 +8,10 @@
 
 namespace wend {
 
-/// A bounding volume hierarchy of triangles for ray and nearest-point queries. When points move, refit()
-/// updates the boxes in far less time than a new tree takes.
+/// A bounding volume hierarchy of triangles for ray and nearest-point queries, split at the median of the
+/// centres along the longest side of their box, with at most four triangles in a leaf. Building takes O(n log
+/// n), a query O(log n) as a rule. When points move, refit() updates the boxes in far less time than a new
+/// tree takes. Queries may run in several threads at a time.
 class TriangleTree {
   public:
     /// The first triangle that a ray meets; −1 for none.
@@ -24,7 +26,9 @@ class TriangleTree {
 
     /// Updates the tree to other points of the same triangles.
     void refit(const Points3& points);
-    /// Returns the nearest triangle that the ray meets, from either side. `direction` must have length 1.
+    /// Returns the nearest triangle that the ray meets, from either side, with its distance > 0 (Möller and
+    /// Trumbore 1997); of several at the same distance the one with the lowest number. `direction` must have
+    /// length 1. Triangles in the plane of the ray are not met. An empty tree gives −1 and infinity.
     Hit firstHit(const Vec3& origin, const Vec3& direction) const;
     /// The point of all triangles nearest to p: its triangle (−1 for an empty tree) and the barycentric
     /// weights. Of triangles at the same distance, any one may be the result.
@@ -32,7 +36,9 @@ class TriangleTree {
         int triangle = -1;
         Vec3 weights = Vec3::Zero();
     };
-    /// Returns the point of all triangles nearest to p.
+    /// Returns the point of all triangles nearest to p, with weights ≥ 0 that sum to 1. Triangles without
+    /// area count as the segments or points that they are. The result is the same in every call, also where
+    /// several are nearest; it is −1 for an empty tree, and for a p that is not finite.
     Nearest nearest(const Vec3& p) const;
     int triangleCount() const { return static_cast<int>(m_triangles.size()); }
 

@@ -14,7 +14,9 @@ struct MeshFile;
 /// The fields of the components of normals of vertices.
 inline constexpr std::array<const char*, 3> kNormalNames = {"nx", "ny", "nz"};
 
-/// Returns for every vertex the smallest rotation from the normal of a surface there to that after a move.
+/// Returns for every vertex the smallest rotation from the normal of a surface there to that after a move. It
+/// is exactly the identity where the normal is the same, and where a vertex has no triangle with an area.
+/// From a normal to its opposite it is a half turn about some axis across.
 std::vector<Eigen::Quaterniond> turnsOf(const Points3& before, const Points3& now,
                                         const std::vector<std::array<int, 3>>& triangles);
 

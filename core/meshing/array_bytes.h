@@ -23,8 +23,8 @@ class ArrayWriter {
     std::string m_bytes;
 };
 
-/// Reads such messages. Each array goes into a container of the same kind; array() returns false if there are
-/// too few bytes.
+/// Reads such messages. Each array is read into a container of the same kind; array() returns false if there
+/// are too few bytes.
 class ArrayReader {
   public:
     explicit ArrayReader(const std::string& bytes) : m_bytes(bytes) {}

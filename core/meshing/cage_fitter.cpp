@@ -62,7 +62,8 @@ class CubeMesher {
   private:
     int count() const { return static_cast<int>(m_full.size()); }
 
-    /// The outermost cubes are never full: the number of a neighbour is always one's own.
+    /// Returns the place of a cube among the full ones, −1 if it is not full. The outermost cubes never are,
+    /// so the number of a neighbour does not wrap around the grid.
     int find(std::int64_t cube) const {
         const auto at = std::ranges::lower_bound(m_full, cube);
         return at != m_full.end() && *at == cube ? static_cast<int>(at - m_full.begin()) : -1;
@@ -205,8 +206,9 @@ class CageFitter {
         return std::abs(static_cast<double>(cage.mesh.vertexCount()) / aim - 1);
     }
 
-    /// The vertex count is proportional to a power of the edge between −2 and −3, in steps of whole cubes:
-    /// searches between bounds with too many and too few.
+    /// Searches the edge between bounds with too many and too few vertices. The count is proportional to a
+    /// power of the edge between −2 and −3, in steps of whole cubes, so the first tries extrapolate with 2.6
+    /// and later ones halve the interval geometrically. Returns the best one of all.
     Cage search(int aim) const {
         double edge = m_diagonal / 20, tooFine = 0, tooCoarse = std::numeric_limits<double>::infinity();
         Cage best;

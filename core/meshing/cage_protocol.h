@@ -20,10 +20,13 @@ struct CageReply {
     Cage cage;
 };
 
-/// Return the bytes of a message.
+/// Return the bytes of a message: its arrays in the order above, each as its number of elements (8 bytes) and
+/// these in native byte order. The stop token and labels are not sent.
 std::string pack(const CageRequest& request);
 std::string pack(const CageReply& reply);
-/// Read a message. Return false if the bytes are too few or too many.
+/// Read a message. Return false if the bytes are too few or too many, and then leave the result undefined.
+/// Numbers in it, such as vertex indices, are not checked. The second throws InputError for an error that is
+/// no message.
 bool unpack(const std::string& bytes, CageRequest& request);
 bool unpack(const std::string& bytes, CageReply& reply);
 

@@ -108,7 +108,9 @@ class GapFinder {
         return static_cast<int>(2 * axis) + (m_normals(axis, t) < 0 ? 1 : 0);
     }
 
-    /// Makes normals point outwards: those of a part with negative volume are flipped.
+    /// Makes normals point outwards: those of a part with negative volume are flipped. The signed volume is
+    /// taken relative to the middle of the part's box, so that a part that is open or far away has a useful
+    /// sign as well.
     void findNormals() {
         m_normals.resize(3, m_surface.triangleCount());
         std::map<int, Eigen::AlignedBox3d> boxes;
@@ -135,7 +137,10 @@ class GapFinder {
         }
     }
 
-    /// Looks along the normal of a triangle, outside of the surface, for a side that faces it.
+    /// Looks along the normal of a triangle, outside of the surface, for a side that faces it. The ray begins
+    /// a little above the triangle, so that it does not meet the triangle itself or its neighbours. A finding
+    /// counts if both sides belong to one part, face each other, have only full cubes between them, and are
+    /// far apart along the surface; else they are a fold or a thin edge.
     void lookFrom(int t) {
         const Vec3 from = middleOf(t), normal = m_normals.col(t);
         const TriangleTree::Hit hit = m_tree.firstHit(from + m_off * normal, normal);
@@ -164,7 +169,8 @@ class GapFinder {
     }
 
     /// Returns whether a path along edges of at most `limit` connects the centre of a triangle with a point
-    /// of another.
+    /// of another. It is Dijkstra's search, which ends at the limit: only the neighbourhood of the triangle
+    /// is visited.
     bool areNearAlong(int one, int other, const Vec3& to, double limit) const {
         using Entry = std::pair<double, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;

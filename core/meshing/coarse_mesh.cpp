@@ -27,7 +27,9 @@ double areaOf(const SimplicialMesh<2>& mesh) {
     return area;
 }
 
-/// Returns whether the fine cells around a coarse vertex are disconnected.
+/// Returns whether the fine cells around some coarse vertex are disconnected: cells around one vertex move
+/// almost alike, so that the cage would connect them. A few vertices at the rim of its cells may be
+/// disconnected anyway.
 bool joinsParts(const SimplicialMesh<3>& coarse, const SimplicialMesh<3>& fine) {
     const Embedding<3> places(coarse, fine.points);
     std::vector<std::vector<int>> verticesIn(coarse.cells.size());

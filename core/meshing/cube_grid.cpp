@@ -96,7 +96,9 @@ class Enclosure {
         return set;
     }
 
-    /// Removes the cubes that a cube of 2 radius + 1 of them can reach from outside.
+    /// Removes the cubes that a cube of 2 radius + 1 of them can reach from outside. A cube of this width
+    /// fits where its centre is farther than `radius` from the surface; all that it covers there is air. Both
+    /// are dilations of sets, along one axis after another.
     void letAirIn(int radius) {
         const std::vector<bool> surface = where(NearSurface);
         std::vector<bool> air = reached(radius > 0 ? grown(surface, radius) : surface);
@@ -105,6 +107,7 @@ class Enclosure {
             if (air[i] && !surface[i]) m_state[i] = Air;
     }
 
+    /// Fills cubes that the surface faces outwards from in at least four of the six axis directions.
     void fillWhatIsFaced() {
         std::vector<std::int8_t> votes(m_state.size());
         for (int axis = 0; axis < 3; ++axis) vote(axis, votes);
@@ -162,6 +165,8 @@ class Enclosure {
             }
     }
 
+    /// Returns whether a triangle, projected along an axis, covers a point. The shift of the lines keeps them
+    /// off edges as a rule, where two triangles could both count or neither.
     static bool covers(const std::array<Vec3, 3>& p, int u, int v, double x, double y) {
         int left = 0;
         for (int k = 0; k < 3; ++k) {
@@ -207,7 +212,9 @@ CubeGrid::Triangle cornersOf(const Surface& surface, int triangle) {
     return {surface.points.col(ids[0]), surface.points.col(ids[1]), surface.points.col(ids[2])};
 }
 
-/// Separating axis test with normals of the cube and the triangle, and cross products of their edges.
+/// Tests the 13 separating axes of a cube and a triangle: the normals of both, and the cross products of
+/// their edges (Akenine-Möller 2001). Touching counts as meeting; a triangle without area is tested as what
+/// it is.
 bool meetsCube(const CubeGrid::Triangle& triangle, double half) {
     const auto apart = [&](const Vec3& axis) {
         const std::array along{axis.dot(triangle[0]), axis.dot(triangle[1]), axis.dot(triangle[2])};

@@ -88,6 +88,9 @@ class FaultFixer {
     }
 
   private:
+    /// Tries all cases at once, and then their halves, the first one that helps: one case that cannot be
+    /// fixed does not keep the others from it. `tries` bounds the work, since every attempt checks the whole
+    /// surface.
     FaultFix fixForMost(const std::string& kind, std::span<const std::vector<int>> cases, int& tries) {
         if (cases.empty() || tries-- <= 0) return {};
         std::vector<int> triangles;
@@ -143,7 +146,7 @@ class FaultFixer {
         }
     }
 
-    /// The smaller of the parts that disagree; a Möbius band has one only.
+    /// Returns a step that turns the smaller of the parts that disagree; a Möbius band has one only.
     std::vector<SurfaceFix> turned(const std::vector<int>& triangles) const {
         if (triangles.size() != 2) return {};
         const SoundPart sound(m_now.surface);
@@ -193,7 +196,7 @@ class FaultFixer {
         return choices;
     }
 
-    /// Returns the triangles with all that cross them, transitively.
+    /// Returns the triangles, which must ascend, with all that cross one of them, ascending.
     std::vector<int> withCrossing(const std::vector<int>& triangles) const {
         std::vector<int> all = triangles;
         for (const auto& [a, b] : m_problems.intersecting) {
@@ -223,7 +226,8 @@ class FaultFixer {
         return parts;
     }
 
-    /// Adds the parts that they connect to the rest, if those are less than half of the surface.
+    /// Adds the parts that only they connect to the rest, unless a part has more than half as many triangles
+    /// as these.
     std::vector<int> withIslands(std::vector<int> going) const {
         const std::vector<int> around = withNeighbours(going);
         const std::size_t most = going.size() / 2;
@@ -283,6 +287,8 @@ FaultFix fixFor(const Surface& surface, const std::vector<SurfaceFix>& done, con
     return FaultFixer(surface, done).fixFor(kind, triangles);
 }
 
+/// Repeats until nothing helps, because a fix may make others possible; the effect of all steps is measured
+/// once, against the surface before them.
 FaultFix fixForAll(const Surface& surface, const std::vector<SurfaceFix>& done, const std::string& kind,
                    int largestHole) {
     std::vector<SurfaceFix> all = done, steps;

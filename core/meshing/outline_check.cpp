@@ -72,7 +72,8 @@ Vec2 crossing(const Segment& s, const Segment& t) {
     return s.a + u * ((w.x() * v.y() - w.y() * v.x()) / det);
 }
 
-/// The place where segments share more than one touching point, if they do.
+/// Returns the place where segments share more than one touching point, if they do. The orientation tests are
+/// exact; only the place itself is rounded.
 std::optional<Vec2> conflict(const Segment& s, const Segment& t) {
     const int a = side(s.a, s.b, t.a), b = side(s.a, s.b, t.b);
     if (a == 0 && b == 0) return overlap(s, t);

@@ -18,7 +18,9 @@ struct SegmentCrossing {
     Vec2 place;
 };
 
-/// Returns all crossings in the order of the segments. Uses exact predicates.
+/// Returns all crossings in the order of the segments. Uses exact predicates. Segments that only touch do not
+/// cross. Takes about O(n log n) plus the pairs whose boxes intersect. The place is that of the crossing, or
+/// the middle of an overlap, rounded.
 std::vector<SegmentCrossing> crossingsOf(const std::vector<Segment>& segments);
 
 /// Returns the outline without repeated consecutive points. Throws InputError that names polygon, point or

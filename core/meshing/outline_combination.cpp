@@ -48,7 +48,7 @@ class Pieces {
         if (m_triangulation.dimension() == 2) flood();
     }
 
-    /// The loops around the faces that `isWanted` (of Inside), these on their left.
+    /// Returns the loops around the faces that `isWanted` (of Inside), these on their left.
     Outline around(const std::function<bool(unsigned)>& isWanted) {
         Outline outline;
         if (m_triangulation.dimension() < 2) return outline;
@@ -176,6 +176,9 @@ bool crosses(const Outline& outline) {
 
 }  // namespace
 
+/// Partitions the plane by the edges of both outlines with exact intersections, marks every piece by the
+/// outlines that contain it, and walks around the wanted ones. Rounded corners may cross other edges again;
+/// the union of the result with itself is then taken, which as a rule is needed once at most.
 Outline combined(const Outline& base, const Outline& piece, OutlineOperation operation, double smallest) {
     requireFinitePoints(base);
     requireFinitePoints(piece);

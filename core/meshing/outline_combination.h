@@ -14,10 +14,11 @@ enum class OutlineOperation { Add, TakeAway, Keep };  // union, difference, inte
 /// input.
 Outline combined(const Outline& base, const Outline& piece, OutlineOperation operation, double smallest = 0);
 
-/// Returns the area of the even-odd inside.
+/// Returns the area of the even-odd inside. Loops may cross themselves and each other.
 double areaOf(const Outline& outline);
 
-/// Returns whether a point is inside by the even-odd rule.
+/// Returns whether a point is inside by the even-odd rule. Points exactly on the outline may count either
+/// way.
 bool isInside(const Outline& outline, const Vec2& p);
 
 }  // namespace wend

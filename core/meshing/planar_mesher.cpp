@@ -109,7 +109,9 @@ bool PlanarMesher::accepts(int count, int tries) const {
     return std::abs(count - m_options.vertices) <= (tries < 3 ? 0.05 : 0.09) * m_options.vertices;
 }
 
-/// Meshes for a number of vertices: estimates the circumradius, and corrects it by the results.
+/// Meshes for a number of vertices: estimates the circumradius, and corrects it by the results. The estimate
+/// solves aim = n₀ + k a / r² + p / 2r for r, with the outline's own n₀ vertices, the area a and perimeter p
+/// in local target lengths, and the measured k.
 SimplicialMesh<2> PlanarMesher::byCount() {
     const double aim = m_options.vertices;
     // aim = n₀ + k a / r² + p / 2r, the boundary's own share included
@@ -158,7 +160,8 @@ SimplicialMesh<2> meshExactly(Outline outline, const PlanarMeshOptions& options)
     return options.edge > 0 ? mesher.byEdge() : mesher.byCount();
 }
 
-/// Returns nothing if simplification removes what the options need: a part that contains a point.
+/// Returns nothing if simplification removes what the options need: a part that contains a point. A failure
+/// is no error, because the exact outline has been meshed already.
 std::optional<SimplicialMesh<2>> meshSimplified(const Outline& outline, double tolerance,
                                                 const PlanarMeshOptions& options) {
     try {

@@ -42,8 +42,8 @@ void insertOutline(MarkedTriangulation& triangulation, const Outline& outline) {
     for (auto v : triangulation.finite_vertex_handles()) v->info() = planar::newVertex;
 }
 
-/// Four vertices far around, so that no edge of the outline is on the convex hull: points on a slanted edge
-/// are rounded, and the hull must stay convex.
+/// Inserts four vertices far around, so that no edge of the outline is on the convex hull: points on a
+/// slanted edge are rounded, and the hull must stay convex.
 void insertFrame(MarkedTriangulation& triangulation) {
     CGAL::Bbox_2 box;
     for (auto v : triangulation.finite_vertex_handles()) box += v->point().bbox();
@@ -88,7 +88,7 @@ std::vector<double> splits(const Point& a, const Point& b, double length,
     return places;
 }
 
-/// ∫ f⁻² over a triangle, by its middle, or by its four parts where it is large.
+/// Returns ∫ f⁻² over a triangle, by its middle, or by its four parts where it is large.
 double weightedArea(const Point& a, const Point& b, const Point& c, const PlanarDomain::Factor& factor,
                     double large) {
     const double longest =

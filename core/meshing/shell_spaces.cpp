@@ -34,6 +34,8 @@ std::vector<SpaceWall> kindsOf(const std::vector<SpaceWall>& walls) {
     return kinds;
 }
 
+/// Counts the shells around each space: those whose walls every path from outside to it crosses. If every
+/// wall has the outside on one side, no shell is in another and nothing needs to be searched.
 void findDepths(const std::vector<SpaceWall>& allWalls, std::vector<ShellSpace>& spaces) {
     const std::vector<SpaceWall> walls = kindsOf(allWalls);
     const bool areApart = std::ranges::all_of(
@@ -89,7 +91,8 @@ void intersect(std::vector<int>& common, bool& isFirst, const std::vector<int>& 
     std::erase_if(common, [&](int label) { return std::ranges::count(labels, label) == 0; });
 }
 
-/// Returns the label that all walls of a space have: those to the outside of its shell if there are any.
+/// Returns the label that all walls of a space have: those to the outside of its shell if there are any. 0 if
+/// there is none, or more than one.
 int commonLabel(int space, const std::vector<SpaceWall>& walls, const std::vector<ShellSpace>& spaces) {
     const int shell = spaces[static_cast<std::size_t>(space)].shell;
     std::vector<int> outer, all;

@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// Selects what is inside of shells that lie one in the other: `Holes` fills every second space, `Regions`
-/// fills all. `Automatic` is as Holes.
+/// Selects what is inside of nested shells: `Holes` fills every second space, `Regions` fills all.
+/// `Automatic` is as Holes.
 enum class Shells { Automatic, Holes, Regions };
 
 /// Returns the number of the shell of each triangle, in the order of their first triangles. A shell is
@@ -42,7 +42,7 @@ struct ShellSpaces {
     int deepest() const;
     /// Returns whether one shell contains several spaces: bodies share walls.
     bool shareWalls() const;
-    /// Returns one line for the user if shells lie one in the other or bodies share walls; else empty.
+    /// Returns one line for the user if shells are nested or bodies share walls; else empty.
     Message summary() const;
 };
 

@@ -98,7 +98,8 @@ double signedVolume(const Surface& surface, const Part& part) {
     return volume;
 }
 
-/// Assumes closed parts that do not cross, with any orientation.
+/// Returns whether a part encloses p: the sum of the solid angles of its triangles is then an odd multiple of
+/// 4π. Assumes closed parts that do not cross, with any orientation.
 bool encloses(const Surface& surface, const Part& part, const Vec3& p) {
     if (!part.box.contains(p)) return false;
     double angle = 0;
@@ -110,7 +111,7 @@ bool encloses(const Surface& surface, const Part& part, const Vec3& p) {
     return std::lround(std::abs(angle) / (4 * std::numbers::pi)) % 2 == 1;
 }
 
-/// Returns the volume between the parts, and counts how many lie one in the other.
+/// Returns the volume between the parts, and counts how deep they are nested.
 double enclosedVolume(const Surface& surface, const std::vector<Part>& parts, int& deepest) {
     double volume = 0;
     for (const Part& part : parts) {
@@ -157,6 +158,7 @@ bool isClosed(const Surface& surface, const std::vector<SurfaceEdge>& edges) {
     });
 }
 
+/// Returns whether neighbours can be oriented consistently, which a Möbius band cannot.
 bool hasTwoSides(const Surface& surface) {
     RepairReport report;
     const Surface turned = repairSurface(surface, 0, report);

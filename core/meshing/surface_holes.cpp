@@ -39,7 +39,8 @@ bool indicesGood(const Surface& surface, const std::array<int, 3>& triangle) {
                        [&](int id) { return id >= 0 && id < surface.vertexCount(); });
 }
 
-/// The sums of the normals of the triangles around each vertex, weighted by area.
+/// Returns the sums of the normals of the triangles around each vertex, weighted by area; 0 where there is
+/// none.
 Points3 vertexNormals(const Surface& surface) {
     Points3 normals = Points3::Zero(3, surface.vertexCount());
     for (const auto& triangle : surface.triangles) {
@@ -131,7 +132,7 @@ std::vector<int> around(const std::vector<int>& loop, const std::array<int, 3>& 
     return ring;
 }
 
-/// The vertex that the fan is made around: one of a triangle's, or a new one.
+/// Returns the vertex that the fan is made around: one of a triangle's, or a new one at the mean of the loop.
 int apexOf(Surface& surface, const std::vector<int>& loop) {
     if (loop.size() == 3) return loop[0];
     Vec3 centre = Vec3::Zero();
@@ -144,6 +145,8 @@ int apexOf(Surface& surface, const std::vector<int>& loop) {
 
 }  // namespace
 
+/// Follows the open sides, and closes a loop whenever the path returns to a vertex that it has passed, so
+/// that loops that meet at a vertex are separated. A path that ends without returning is no hole.
 std::vector<std::vector<int>> holeLoops(const Surface& surface) {
     const std::vector<Side> sides = sidesOf(surface);
     const std::vector<int> next = Followers(surface, sides).all();

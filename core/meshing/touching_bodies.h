@@ -6,7 +6,8 @@
 namespace wend {
 
 /// Returns the components that only touch each other: of none of their pairs of triangles that intersect do
-/// both reach to both sides of the other's plane, by more than a millionth of the surface's extent.
+/// both reach to both sides of the other's plane, by more than a millionth of the surface's extent. Two
+/// bodies with one pair of triangles that cross are not among them.
 std::vector<TouchingBodies> touchingBodies(const Surface& surface,
                                            const std::vector<std::array<int, 2>>& intersecting);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAimTolerance = 0.1;  // inner than the 15 % promised
 
-/// The triangles with the first of all vertices at one place: a soup of triangles is connected, too.
+/// Returns the triangles with the first of all vertices at one place: a soup of triangles is connected, too.
 std::vector<std::array<int, 3>> joinedTriangles(const Surface& surface) {
     const std::vector<int> canonical = canonicalVertices(surface.points);
     std::vector<std::array<int, 3>> triangles = surface.triangles;

@@ -28,14 +28,15 @@ Trajectory<Dim> trajectoryOf(const Motion<Dim>& motion, size_t number) {
     }
 }
 
-/// Null if there is none.
+/// Returns the displacement of a vertex, by binary search in the ascending numbers; null if there is none.
 template <int Dim>
 const Vec<Dim>* valueAt(const Displacements<Dim>& values, int vertex) {
     const auto found = std::ranges::lower_bound(values, vertex, {}, &Displacements<Dim>::value_type::first);
     return found != values.end() && found->first == vertex ? &found->second : nullptr;
 }
 
-/// x with map(x) = p.
+/// Returns x with map(x) = p. A translation is inverted without a matrix, so that what is not rotated keeps
+/// its digits.
 template <int Dim>
 Vec<Dim> preimage(const AffineMap<Dim>& map, const Vec<Dim>& p) {
     if (map.A == Mat<Dim>::Identity()) return p - map.b;

@@ -50,9 +50,10 @@ class HandleTimeline {
     /// the handle holds still.
     MovingMap<Dim> at(double t, Side side) const;
     /// Returns the map from the rest place of a body that follows all motions to its place at t, and to its
-    /// velocity.
+    /// velocity. Between motions and after the last one the velocity is 0; the active range does not count.
     MovingMap<Dim> bodyAt(double t, Side side) const;
-    /// Returns all times at which the constraints or their velocities are not smooth.
+    /// Returns all times at which the constraints or their velocities are not smooth. They are not sorted,
+    /// and may contain a time more than once.
     std::vector<double> breakpoints() const;
 
   private:
@@ -71,7 +72,9 @@ class Constraints {
 
     /// Rest and handles in one frame; `units` says how to print its points. Throws InputError naming the
     /// handle: a point outside the shape, a vertex id out of range, a region without a vertex, no point at
-    /// all, motions as in HandleTimeline, a surface to slide on that is farther than 1 % of the size.
+    /// all, motions as in HandleTimeline, a surface to slide on that is farther than 1 % of the size. Points
+    /// of several handles at one place are kept apart; whether they agree is for requireConsistent() to say.
+    /// No handle gives no points.
     Constraints(const SimplicialMesh<Dim>& rest, const std::vector<Handle<Dim>>& handles,
                 const Normalization<Dim>& units = {});
 
@@ -114,7 +117,8 @@ class Constraints {
     /// Returns whether any active handle moves.
     bool moving(double t, Side side) const;
 
-    /// Returns the anchor of a point that is at p at time t.
+    /// Returns the anchor of a point that is at p at time t. It is M(t)⁻¹ p with the map M of the motion that
+    /// acts there, and p itself if the handle holds still.
     Vec<Dim> anchor(int id, const Vec<Dim>& p, double t, Side side = Side::After) const;
     /// Returns anchors for continuing from a shape at time t.
     Anchors anchors(const Points<Dim>& shape, double t, Side side = Side::After) const;
@@ -126,7 +130,9 @@ class Constraints {
                   const Points<Dim>& shape, double t) const;
 
     /// Computes positions and velocities of some points at time t, one column each. For points that slide,
-    /// the velocity is its held part, and only the held part of the position counts.
+    /// the velocity is its held part, and only the held part of the position counts. The columns (Dim ×
+    /// number of ids) are in the order of the ids; `anchors` has an entry for every point, used or not.
+    /// Velocities are the analytic derivatives of the positions.
     void evaluate(const std::vector<int>& ids, const Anchors& anchors, double t, Side side,
                   Points<Dim>& positions, Points<Dim>& velocities) const;
 
@@ -140,7 +146,7 @@ class Constraints {
     void guide(const std::vector<int>& ids, const Points<Dim>& shape, double t, Side side,
                Points<Dim>& positions, Points<Dim>& velocities, Points<Dim>& normals) const;
     /// Moves the vertices of such points to the nearest places of their surfaces. Returns the greatest
-    /// distance.
+    /// distance. Points are moved one after another in the order of the ids; 0 without such points.
     double pull(const std::vector<int>& ids, double t, Side side, Points<Dim>& shape) const;
 
   private:

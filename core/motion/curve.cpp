@@ -52,7 +52,8 @@ std::vector<Vec<Dim>> distinct(const std::vector<Vec<Dim>>& points) {
     return kept;
 }
 
-/// 0, …, 1 in proportion to the summed chord lengths.
+/// Returns a parameter for each point, from 0 to 1 exactly, in proportion to the summed chord lengths; all
+/// are 0 but the last if the points coincide.
 template <int Dim>
 std::vector<double> chordKnots(const std::vector<Vec<Dim>>& points) {
     std::vector<double> knots = {0};

@@ -27,7 +27,7 @@ double angleAt(const Points3& points, const Triangle& t, int corner) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Equal points become one: a file may repeat them per facet.
+/// Returns for every point the first one with the same coordinates, since a file may repeat them per facet.
 template <int Dim>
 std::vector<int> firstOfEqual(const Points<Dim>& points) {
     std::map<std::array<double, Dim>, int> first;
@@ -102,7 +102,10 @@ void GuideSurface<Dim>::findSharpEdges(const std::vector<Triangle>& triangles) {
             m_segments.push_back(edge);
 }
 
-/// Weighted by the angles of the triangles at the vertex (Thürmer and Wüthrich 1998).
+/// Computes a normal for every corner of every triangle: the mean over the triangles at the vertex, weighted
+/// by their angles there (Thürmer and Wüthrich 1998), which does not depend on how a flat part is
+/// triangulated. Triangles at a sharp angle to the corner's own do not count, so that an edge between two
+/// sides stays sharp.
 template <int Dim>
 void GuideSurface<Dim>::smoothNormals(const std::vector<Triangle>& triangles) {
     std::vector<std::vector<std::pair<int, int>>> around(static_cast<std::size_t>(m_points.cols()));

@@ -28,9 +28,11 @@ class GuideSurface {
     explicit GuideSurface(const GuideMesh<Dim>& mesh);
 
     /// Returns the part of lowest dimension within a tolerance of the place nearest to p: points do not leave
-    /// a sharp line or a corner.
+    /// a sharp line or a corner. Distances are measured from the nearest place on the guide, not from p.
     Track trackAt(const Vec<Dim>& p, double tolerance) const;
-    /// Returns the place of the faces, the lines or the corners nearest to p.
+    /// Returns the place of the faces, the lines or the corners nearest to p. The guide must have such a
+    /// part. p may be anywhere; at equal distances any of the nearest places may be the result, but always
+    /// the same one. In the plane a guide has no faces.
     Contact<Dim> contact(Track track, const Vec<Dim>& p) const;
 
   private:

@@ -27,7 +27,8 @@ Mat3 columns(const Vec3& tangent, const Vec3& normal) {
     return frame;
 }
 
-/// The least rotation from one unit vector to another that is not its opposite.
+/// Returns the least rotation from one unit vector to another that is not its opposite; the axis is arbitrary
+/// if they are equal.
 Eigen::AngleAxisd minimalRotation(const Vec3& from, const Vec3& to) {
     const Vec3 cross = from.cross(to);
     const double sine = cross.norm();
@@ -53,7 +54,8 @@ bool MovingFrame::usesTable(const Piece& piece) const {
     return m_kind == FrameKind::Minimal && piece.tangent.shape() == Shape::Spatial;
 }
 
-/// Steps whose halving changes the normal by less than 1e-14: the sum over a table stays below 1e-11.
+/// Tabulates the normal in steps whose halving changes it by less than 1e-14, so that the sum over a table
+/// stays below 1e-11. The steps adapt to the torsion; the error of one is of fifth order.
 void MovingFrame::makeTable(Piece& piece) const {
     const TangentPiece& tangent = piece.tangent;
     constexpr double kTolerance = 1e-14, kMinimum = 1.0 / (1 << 15);
@@ -77,7 +79,7 @@ void MovingFrame::makeTable(Piece& piece) const {
     }
 }
 
-/// The frame of the piece itself; only its change along the piece has a meaning.
+/// Returns the frame of the piece itself; only its change along the piece has a meaning.
 Mat3 MovingFrame::localFrame(const Piece& piece, double v) const {
     const Vec3 tangent = piece.tangent.tangent(v);
     if (!usesTable(piece)) return columns(tangent, piece.tangent.binormal(v).cross(tangent));
@@ -123,7 +125,9 @@ void MovingFrame::joinPieces() {
     }
 }
 
-/// The corner at the start of a piece that is entered in direction `before`.
+/// Makes the corner at the start of a piece that is entered in direction `before`: the least rotation between
+/// both tangents, to be spread by spreadCorners(). At a reversal no least rotation exists, and the frame
+/// continues backwards.
 void MovingFrame::joinAt(size_t index, const Vec3& before, double& sign) {
     Piece& piece = m_pieces[index];
     const Piece& last = m_pieces[index - 1];

@@ -24,6 +24,8 @@ struct Normalization {
     SimplicialMesh<Dim> normal(const SimplicialMesh<Dim>& mesh) const {
         return {normal(mesh.points), mesh.cells, mesh.parts, mesh.welds};
     }
+    /// Returns the handle in the frame: its positions, lengths and guides; angles, times and factors stay as
+    /// they are.
     Handle<Dim> normal(const Handle<Dim>& handle) const;
 };
 

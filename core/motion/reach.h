@@ -13,7 +13,7 @@ namespace wend {
 template <int Dim>
 double reachOf(const Handle<Dim>& handle, double t);
 
-/// Returns the time at which the last motion ends, or `none` if there is none.
+/// Returns the time at which the last motion ends, or `none` if there is none. Active ranges do not count.
 template <int Dim>
 double lastMotionEnd(const std::vector<Handle<Dim>>& handles, double none);
 

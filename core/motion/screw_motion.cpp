@@ -85,7 +85,7 @@ ScrewMotion<Dim>::ScrewMotion(const RigidPose<Dim>& from, const RigidPose<Dim>& 
         throw InputError("a whole turn cannot be a screw motion with a shift across its axis");
 }
 
-/// V(s) v: s along the axis; across it s sinc(θs) v + (s²/2) sinc²(θs/2) ω × v.
+/// Returns V(s) v: s along the axis; across it s sinc(θs) v + (s²/2) sinc²(θs/2) ω × v.
 template <int Dim>
 Vec<Dim> ScrewMotion<Dim>::travelled(double s) const {
     const double angle = s * m_turn.norm(), half = sinc(angle / 2);

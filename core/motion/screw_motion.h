@@ -6,7 +6,7 @@
 
 namespace wend {
 
-/// Returns the rotation matrix of a rotation vector.
+/// Returns the rotation matrix of a rotation vector. The vector is in radians; 0 gives the identity.
 template <int Dim>
 Mat<Dim> rotationOf(const RotationVector<Dim>& vector);
 
@@ -37,10 +37,12 @@ class ScrewMotion {
 };
 
 /// Returns S(s) of the first pose, with the rotation vector in the turn that continues that of the first.
+/// Throws InputError as ScrewMotion does.
 template <int Dim>
 RigidPose<Dim> poseBetween(const RigidPose<Dim>& from, const RigidPose<Dim>& to, double s);
 
-/// Returns the rotation vector of a quaternion, in the turn that is nearest to the rotation `before`.
+/// Returns the rotation vector of a quaternion, in the turn that is nearest to the rotation `before`. The
+/// quaternion need not have length 1. Without a rotation the result is 0, whatever `before` is.
 RotationVector<3> rotationVectorOf(const Eigen::Quaterniond& rotation, const RotationVector<3>& before);
 
 }  // namespace wend

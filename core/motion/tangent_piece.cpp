@@ -13,7 +13,8 @@ constexpr double kFlat =
     1e-10;                      // relative singular value of the hodograph's coefficients that counts as zero
 constexpr double kRoot = 1e-9;  // relative size of the hodograph that counts as a common root
 
-/// The sign of a + b v + c v² just after 0, where it may vanish.
+/// Returns the sign of a + b v + c v² just after 0, where it may vanish: that of the first coefficient that
+/// is not 0 relative to the scale.
 double signAfterZero(double a, double b, double c, double scale) {
     for (const double coefficient : {a, b, c}) {
         if (std::abs(coefficient) > kRoot * scale) return coefficient > 0 ? 1 : -1;
@@ -23,6 +24,8 @@ double signAfterZero(double a, double b, double c, double scale) {
 
 }  // namespace
 
+/// Classifies the piece by the rank of the hodograph's three coefficients: with one singular value it is
+/// straight, with two planar, with three spatial. Then its normal is the direction of the least one.
 TangentPiece::TangentPiece(const CurvePiece<3>& piece, double size) {
     const auto& c = piece.coefficients;
     m_c = {c.col(1), c.col(2), c.col(3)};

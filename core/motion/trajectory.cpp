@@ -170,7 +170,7 @@ struct Trajectory<Dim>::Path {
         explicit Carried(const Recorded<Dim>& motion)
             : curve(curveOf(motion)), stretches(curve.smoothStretches()) {}
 
-        /// The piece that holds u within a stretch.
+        /// Returns the piece that holds u within a stretch.
         int pieceAt(double u, size_t stretch) const {
             const bool last = stretch + 1 == stretches.size();
             return curve.locate(u, stretches[stretch],
@@ -265,6 +265,8 @@ Trajectory<Dim>::Path::Ridden::Ridden(const PoseMotion<Dim>& motion) : origin(mo
     }
 }
 
+/// Composes the pose at the start of the screw motion with it. Poses themselves are returned as given,
+/// without the rounding of a screw motion that ends there.
 template <int Dim>
 MovingMap<Dim> Trajectory<Dim>::Path::Ridden::map(double u, size_t k) const {
     const double length = parameters[k + 1] - parameters[k];
@@ -297,6 +299,8 @@ MovingFrame::Sample Trajectory<Dim>::Path::Carried::turned(double u, int piece) 
     return sample;
 }
 
+/// Returns x ↦ γ(u) + s(u) Q(u) (x − γ(0)) (docs/method.md, (18)) with its derivative by u: γ′, and s′ Q + s
+/// [ω]× Q.
 template <int Dim>
 MovingMap<Dim> Trajectory<Dim>::Path::Carried::map(double u, int piece) const {
     const CurvePiece<Dim>& p = curve.pieces[piece];

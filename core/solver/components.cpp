@@ -24,7 +24,9 @@ Vec<Dim> pointOf(const ConstraintRow& row, const Points<Dim>& points) {
     return x;
 }
 
-/// The points span Dim − 1 dimensions: two distinct ones in 2D, three that are not on a line in 3D.
+/// Returns whether the points span Dim − 1 dimensions: two distinct ones in 2D, three that are not on a line
+/// in 3D. The scatter Σ (p − m)(p − m)ᵀ has the squared extents along its axes as singular values; all but
+/// the least must exceed kDistinct of the size, squared.
 template <int Dim>
 bool spanEnough(const std::vector<Vec<Dim>>& points, double size) {
     if (points.size() < static_cast<std::size_t>(Dim)) return false;
@@ -59,7 +61,8 @@ class HeldSimilarities {
     Mat<kModes> m_square = Mat<kModes>::Zero();
 };
 
-/// The components of every vertex, ascending, each once.
+/// Returns the components of every vertex, ascending, each once. A vertex at which components touch has
+/// several, one without cells has none.
 template <int Dim>
 std::vector<std::vector<int>> componentsOfVertices(const SimplicialMesh<Dim>& mesh,
                                                    const std::vector<int>& components) {
@@ -73,7 +76,8 @@ std::vector<std::vector<int>> componentsOfVertices(const SimplicialMesh<Dim>& me
     return result;
 }
 
-/// The components that have all vertices of a row.
+/// Returns the components that have all vertices of a row. A row across components holds none of them by
+/// itself.
 std::vector<int> componentsOfRow(const ConstraintRow& row, const std::vector<std::vector<int>>& ofVertex) {
     std::vector<int> common = ofVertex[row.terms.front().first];
     for (const auto& [vertex, weight] : row.terms)
@@ -83,7 +87,7 @@ std::vector<int> componentsOfRow(const ConstraintRow& row, const std::vector<std
     return common;
 }
 
-/// The components of a weld's two points; nothing if the vertices of one are of several.
+/// Returns the components of a weld's two points; nothing if the vertices of one are of several.
 std::optional<std::array<int, 2>> componentsOfWeld(const Weld& weld,
                                                    const std::vector<std::vector<int>>& ofVertex) {
     std::array<ConstraintRow, 2> sides;
@@ -142,6 +146,7 @@ std::vector<bool> wellConstrained(const SimplicialMesh<Dim>& mesh, const std::ve
     const double size = shapeSize<Dim>(mesh.points, mesh.cells).size;
     std::vector<bool> result(count);
     for (int i = 0; i < count; ++i) result[i] = spanEnough<Dim>(points[i], size);
+    // The rest is for shapes with sliders or welds: their similarities are counted coordinate by coordinate.
     if (sliders.empty() && mesh.welds.empty()) return result;
     const Vec<Dim> middle = mesh.points.rowwise().mean();
     std::vector<HeldSimilarities<Dim>> held(count);

@@ -73,9 +73,12 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
             record(size / before, result);
             if (size / before > goal.poorestContraction) break;
         }
+        // |z| need not fall in every iteration, so one good ratio is not believed alone: a cautious run takes
+        // the mean of all ratios where that is worse.
         const double mean = first ? 1 : std::pow(size / start, 1.0 / (result.iterations - 1));
         double contraction = first ? goal.contraction : std::max(goal.minContraction, size / before);
         if (goal.cautious && !first) contraction = std::max(contraction, mean);
+        // If z itself is a good enough last step, the product with the matrix is saved.
         const double plain = std::max(contraction, kPlainContraction);
         if (plain < 1 && size * remaining(plain, goal.cautious) <= allowed()) {
             links.update(flat<Dim>(m_z), Dim);
@@ -93,6 +96,8 @@ typename ConjugateGradients<Dim>::Result ConjugateGradients<Dim>::run(
         backEnd.apply(m_lifted, m_Alifted);
         system.restrict(m_Alifted, m_q);
         const double pKp = dot<Dim>(m_p, m_q, links);
+        // Not positive: rounding, or a preconditioner that is no longer definite. What was gained so far
+        // stays.
         if (!(pKp > 0 && rz > 0)) break;
         v += rz / pKp * m_lifted;
         const double goalSize = allowed();

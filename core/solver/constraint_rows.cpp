@@ -56,7 +56,7 @@ std::vector<int> singleVertexRowsFirst(const std::vector<ConstraintRow>& rows) {
     return order;
 }
 
-/// A row of no weight left: 0 = Σ values · prescribed, with 1 for itself.
+/// Returns the dependency of a row that has no weight left: 0 = Σ values · prescribed, with 1 for itself.
 DependentRow dependencyOf(const WorkingRow& work) {
     DependentRow dependent{work.row, {}};
     for (const auto& [row, value] : work.values)

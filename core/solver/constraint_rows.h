@@ -28,7 +28,8 @@ struct Slider {
 };
 using Sliders = std::vector<Slider>;
 
-/// Returns the same rows with one term per vertex, none of weight 0, by vertex.
+/// Returns the same rows with one term per vertex, none of weight 0, by vertex. Weights of one vertex are
+/// added up; a row whose weights cancel has no terms.
 std::vector<ConstraintRow> simplified(const std::vector<ConstraintRow>& rows);
 
 /// A row that depends linearly on others: row = Σ coefficient · row_other. Its prescribed value must be the
@@ -54,10 +55,13 @@ struct Elimination {
 };
 
 /// Eliminates simplified rows: those of one vertex first, then the others in their order, each with the
-/// vertex of its largest remaining weight as pivot, if possible one that does not slide.
+/// vertex of its largest remaining weight as pivot, if possible one that does not slide. Every row becomes
+/// either a pivot or a dependent row. Weights below 1e-10 count as 0, so rows are to have weights of the
+/// order of 1. Of equal largest weights the vertex of the lowest number is the pivot. No row gives no pivots.
 Elimination eliminate(const std::vector<ConstraintRow>& rows, const Sliders& sliders = {});
 
-/// Returns those of any rows that depend linearly on others.
+/// Returns those of any rows that depend linearly on others. Which rows of a dependent set are named follows
+/// from the order of eliminate().
 std::vector<DependentRow> dependentRows(const std::vector<ConstraintRow>& rows);
 
 }  // namespace wend

@@ -53,7 +53,8 @@ void FactorCache<Dim>::reset(const AssemblyPlan<Dim>& plan) {
 }
 
 /// Analyzes by minimum degree or nested dissection, depending on the size of the system, and sets the costs
-/// of the policy.
+/// of the policy. The costs are counted operations of the analysis, so that the policy decides the same in
+/// every run.
 template <int Dim>
 bool FactorCache<Dim>::analyze(const std::stop_token& stop) {
     if (m_analyzed) return true;
@@ -110,7 +111,7 @@ Factor::Status FactorCache<Dim>::makeFactor(FactorKind kind, const std::stop_tok
     return status;
 }
 
-/// The back end is at that shape.
+/// Builds the levels of multigrid. The back end is at that shape.
 template <int Dim>
 Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::stop_token& stop) {
     const Stopwatch watch(m_statistics.factor);
@@ -125,7 +126,8 @@ Factor::Status FactorCache<Dim>::makeLevels(const Nodal<Dim>& shape, const std::
     return Factor::Status::Done;
 }
 
-/// The back end is at that shape; null if the factor is to serve only once.
+/// Makes a factor or the levels of multigrid. The back end is at that shape, which is null if the factor is
+/// to serve only once.
 template <int Dim>
 SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kind,
                                          const std::stop_token& stop) {
@@ -147,8 +149,10 @@ SolveOutcome FactorCache<Dim>::factorize(const Nodal<Dim>& shape, FactorKind kin
     return {};
 }
 
-/// Brings the back end to where the shape will be when the new factor has served for a while: null, and it
-/// stays where it is, if that is not known or cells would soon fold over.
+/// Brings the back end to where the shape will be when the new factor has served for a while: along its
+/// present velocity, by kAhead of the distance over which the last factor served. A factor in the middle of
+/// the path is half as far from both ends as one at its beginning. Returns null, with the back end where it
+/// was, if the last factor served too few solves to tell that distance, or if cells would soon fold over.
 template <int Dim>
 Nodal<Dim> FactorCache<Dim>::goAhead(const Points<Dim>& velocity) {
     const double distance = std::min(kFarthest, kAhead * (m_memory.ahead + m_memory.lag)),
@@ -174,6 +178,7 @@ SolveOutcome FactorCache<Dim>::make(Use use, const std::stop_token& stop, const 
     const Nodal<Dim> ahead = lasts && velocity ? goAhead(*velocity) : nullptr;
     if (!ahead) m_memory.ahead = 0;
     const SolveOutcome outcome = factorize(ahead || !lasts ? ahead : m_backEnd.stages().shape(), kind, stop);
+    // The back end returns to the shape that is to be solved for.
     if (ahead) m_backEnd.setStage();
     if (outcome.kind == SolveOutcome::Kind::Stopped) return outcome;
     m_memory.shape = m_shape;

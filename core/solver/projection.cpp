@@ -6,7 +6,8 @@
 namespace wend {
 namespace {
 
-/// Groups of rows that share movable vertices, each ascending.
+/// Returns the groups of rows that share movable vertices, each ascending. They are corrected separately, by
+/// dense matrices of their own size.
 std::vector<std::vector<int>> clustersOf(const std::vector<ConstraintRow>& rows,
                                          const std::vector<int>& members, const std::vector<bool>& isFixed) {
     std::vector<int> parent(members.size());

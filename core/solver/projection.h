@@ -17,7 +17,8 @@ class Projection {
     Projection() = default;
     Projection(const std::vector<ConstraintRow>& rows, const std::vector<DependentRow>& dependent,
                int vertexCount);
-    /// Corrects the values (Dim × n); `targets` has one column per row.
+    /// Corrects the values (Dim × n); `targets` has one column per row. Clusters are corrected twice, since
+    /// the second pass takes the rounding of the first away. Columns of dependent rows do not count.
     void apply(Points<Dim>& values, const Points<Dim>& targets) const;
 
   private:

@@ -50,7 +50,9 @@ Nodal<Dim> ReducedSystem<Dim>::setDirections(Nodal<Dim> directions) {
     return std::exchange(m_directions, std::move(directions));
 }
 
-/// Takes out of a block what couples held coordinates.
+/// Takes out of a block what couples held coordinates. With the projectors P onto the held directions it
+/// becomes (I − P_row) K (I − P_column), plus P K P on the diagonal, which keeps K positive definite: y is 0
+/// in these directions, so that the values there do not matter.
 template <int Dim>
 void ReducedSystem<Dim>::release(std::size_t row, std::size_t column, Mat<Dim>& K) const {
     for (int i = 0; i < Dim; ++i)
@@ -88,7 +90,9 @@ void ReducedSystem<Dim>::numberUnknowns(const AssemblyPlan<Dim>& plan) {
 }
 
 /// Builds the pattern of K_PQ = Σ z_pP z_qQ A_pq over all ordered pairs (p, q); A_qp = A_pqᵀ gives the upper
-/// triangle.
+/// triangle. A row of Z has one entry for an unknown vertex, and one per free vertex of its row for a pivot,
+/// so a block of A contributes to few blocks of K. Terms keep the order of the plan's blocks within a block
+/// of K, which makes the sums repeatable.
 template <int Dim>
 void ReducedSystem<Dim>::buildPattern(const AssemblyPlan<Dim>& plan) {
     std::vector<std::vector<Target>> columns(m_unknowns.size());

@@ -16,10 +16,13 @@ constexpr double kCellTime = 12e-9;    // of a product with the matrix, d = 2
 
 }  // namespace
 
+/// Returns the seconds of a nominal core for an assembly and a factorization.
 double SolverCost::factor() const {
     return factorFlops / kFlopRate + factorEntries * kEntryTime + contributions * kBlockTime;
 }
 
+/// Returns the seconds of a nominal core for an iteration. The work on a cell grows with the square of the
+/// dimension.
 double SolverCost::iteration() const {
     return factorEntries * kSolveTime + cells * kCellTime * std::pow(dimension / 2.0, 2);
 }

@@ -160,7 +160,8 @@ void RestMinimizer<Dim>::product(const Points<Dim>& v, const ProximalTerm<Dim>* 
 }
 
 /// Adds Z y to the step such that Zᵀ H step = −Zᵀ g, by conjugate gradients with the factor that there is.
-/// Returns false if they end too late or meet negative curvature.
+/// Returns false if they end too late or meet negative curvature. The error after an iteration is estimated
+/// as in ConjugateGradients, |z| ρ / (1 − ρ) with the last contraction ρ.
 template <int Dim>
 bool RestMinimizer<Dim>::iterate(const ProximalTerm<Dim>* proximal, Points<Dim>& step) {
     const Stopwatch watch(m_statistics.solve);
@@ -247,7 +248,9 @@ SolveOutcome RestMinimizer<Dim>::solve(const ProximalTerm<Dim>* proximal, Points
     return step.allFinite() ? SolveOutcome{} : SolveOutcome{SolveOutcome::Kind::NotFinite, -1};
 }
 
-/// Moves the shape along a step as far as W falls, and returns which part of it that was; 0 for none.
+/// Moves the shape along a step as far as W falls, and returns which part of it that was; 0 for none. The
+/// first trial is the whole step, or kBeforeFlat of the path to the first flat cell, beyond which W is
+/// infinite. `descent` is the slope of W along the step, which is negative.
 template <int Dim>
 double RestMinimizer<Dim>::lineSearch(Points<Dim>& shape, const Points<Dim>& step, double descent,
                                       const ProximalTerm<Dim>* proximal, const Descent<Dim>& how) const {
@@ -264,7 +267,9 @@ double RestMinimizer<Dim>::lineSearch(Points<Dim>& shape, const Points<Dim>& ste
     return 0;
 }
 
-/// Leaves a saddle along what the positive Hessian resists least in a fixed arbitrary load.
+/// Leaves a saddle along what the positive Hessian resists least in a fixed arbitrary load. The load excites
+/// every mode a little, and the inverse of the Hessian favours the soft ones. It is the same in every run, so
+/// that a shape buckles to the same side.
 template <int Dim>
 bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
     Points<Dim> load(Dim, m_reduced.cols()), y(Dim, m_reduced.cols());
@@ -283,7 +288,12 @@ bool RestMinimizer<Dim>::nudge(Points<Dim>& shape) {
 }
 
 /// Takes Newton steps until they are shorter than the tolerance or W no longer decreases beyond rounding.
-/// Near the minimum a factor serves for several steps, of which only the first one counts as an iteration.
+/// Near the minimum a factor serves for several steps, of which only the first one counts as an iteration. A
+/// step is one of three kinds. Near a saddle, where the exact Hessian is indefinite and a step is short and
+/// gains next to nothing, the shape is pushed off. A step below the tolerance is taken as it is, because the
+/// line search would compare rounding errors of W. Every other one is searched along; if it gains nothing,
+/// first an old factor is replaced, and then the exact Hessian by one with less negative curvature, before
+/// the descent ends.
 template <int Dim>
 Descended RestMinimizer<Dim>::minimize(Points<Dim>& shape, const Descent<Dim>& descent,
                                        const ProximalTerm<Dim>* proximal, const std::stop_token& stop) {

@@ -17,7 +17,9 @@ std::string nameOf(SolverKind kind) {
     return kind == SolverKind::Automatic ? "auto" : kind == SolverKind::Direct ? "direct" : "multigrid";
 }
 
-/// Nested dissection: n^(4/3) entries of a factor in space, n log n in the plane.
+/// Returns a power law through a measured size: 1.0 GB at 160,000 vertices in the plane, 6.4 GB at 105,000 in
+/// space. Nested dissection has n^(4/3) entries of a factor in space and n log n in the plane (George 1973);
+/// the exponents are somewhat larger, as measured.
 double directSolverBytes(int dimension, int vertices) {
     if (dimension == 2) return 1.0e9 * std::pow(vertices / 160e3, 1.1);
     return 6.4e9 * std::pow(vertices / 105e3, 1.4);

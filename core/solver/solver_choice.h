@@ -16,7 +16,8 @@ std::string nameOf(SolverKind kind);
 bool fitsDirectly(int dimension, int vertices, double machineMemory);
 
 /// Returns Direct or Multigrid. Automatic takes multigrid for solids from so many vertices on that it is the
-/// quicker, and for any shape whose factors do not fit.
+/// quicker, and for any shape whose factors do not fit. From 20,000 vertices on a solid takes multigrid; a
+/// planar shape only for lack of memory. The other kinds are returned as they are, whether they fit or not.
 SolverKind chosenSolver(SolverKind wanted, int dimension, int vertices, double machineMemory);
 
 /// Returns about how many bytes a direct solve takes: matrix, contributions and factor. Measured on bars and

@@ -46,6 +46,8 @@ int VelocityHistory<Dim>::turnOf(double place) const {
                                           [&](const Miss& miss) { return samePlace(miss.place, place); }));
 }
 
+/// Keeps at most kFields fields. The difference to the polynomial is the error that the next step expects
+/// here.
 template <int Dim>
 void VelocityHistory<Dim>::record(double time, const Points<Dim>& prescribed, const Points<Dim>& velocity) {
     if (m_polynomial && m_step.width > 0)
@@ -82,6 +84,9 @@ Points<Dim> VelocityHistory<Dim>::through(double time) const {
     return combined(weights);
 }
 
+/// Extrapolates the polynomial through the last fields. Within a step the previous step's error at the same
+/// place is added, scaled with the cube of the steps' ratio, since the error of a quadratic polynomial is of
+/// third order.
 template <int Dim>
 std::optional<Points<Dim>> VelocityHistory<Dim>::at(double time) {
     m_polynomial = nullptr;
@@ -97,6 +102,8 @@ std::optional<Points<Dim>> VelocityHistory<Dim>::at(double time) {
     return guess;
 }
 
+/// Solves for the weights of least norm that reproduce the prescribed velocities best, in the least-squares
+/// sense; directions of them that are weaker than kRankTolerance are ignored.
 template <int Dim>
 std::optional<Points<Dim>> VelocityHistory<Dim>::fitting(const Points<Dim>& prescribed) const {
     if (m_fields.empty() || prescribed.size() == 0) return std::nullopt;

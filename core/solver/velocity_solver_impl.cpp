@@ -206,7 +206,8 @@ int VelocitySolver<Dim>::Impl::setProximal(double weight, const Points<Dim>& ori
     return -1;
 }
 
-/// E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the constraints allow.
+/// Computes f = ½ rate ∇W. E(v) + rate ⟨∇W, v⟩ is least where A v + ½ rate ∇W vanishes on all fields that the
+/// constraints allow.
 template <int Dim>
 void VelocitySolver<Dim>::Impl::computeLoad() {
     load.resize(Dim, 0);
@@ -219,8 +220,9 @@ void VelocitySolver<Dim>::Impl::computeLoad() {
         load *= 0.5 * memoryRate;
 }
 
-/// v = v_p on entry. Solves K y = −Zᵀ (A v + f) and adds Z y; again with the new residual while that is
-/// large.
+/// Solves K y = −Zᵀ (A v + f) with v = v_p on entry, and adds Z y; again with the new residual while that is
+/// large. Refinement costs a product and a pair of triangular solves, and recovers the digits that a factor
+/// of an ill-conditioned matrix loses.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solveReduced(Points<Dim>& v) {
     const Stopwatch watch(statistics.solve);
@@ -313,7 +315,8 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveDirectly(Points<Dim>& v) {
 }
 
 /// Solves with a new factor: ahead of the shape, which moves by about `velocity`, or at the shape itself if
-/// that one does not do.
+/// that one does not do. In order: a factor ahead of the shape, one at the shape, and with direct solvers one
+/// in double precision with iterative refinement.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed, Points<Dim>& v,
                                                   const Points<Dim>* velocity) {
@@ -325,7 +328,10 @@ SolveOutcome VelocitySolver<Dim>::Impl::solveAnew(const Points<Dim>& prescribed,
     return {stop.stop_requested() ? SolveOutcome::Kind::Stopped : SolveOutcome::Kind::NotConverged, -1};
 }
 
-/// Solves by the factor of an earlier shape if that is allowed and pays, else with a new one.
+/// Solves by the factor of an earlier shape if that is allowed and pays, else with a new one. The stages are:
+/// set the shape, take v_p from the prescribed values, add the load of the memory, start from the guess's
+/// free part, iterate with a factor that is there or make one. A field of no prescribed motion and no load is
+/// 0 without any of it. `last` stays empty after a failure.
 template <int Dim>
 SolveOutcome VelocitySolver<Dim>::Impl::solve(const Points<Dim>& given, Points<Dim>& v,
                                               const std::optional<Points<Dim>>& guess) {

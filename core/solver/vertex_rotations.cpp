@@ -15,7 +15,7 @@ template <int Dim>
 constexpr int kSweeps = Dim == 2 ? 10 : 3;
 constexpr int kVertexGrain = 512;  // vertices of a piece
 
-/// sign 1: b ← R b, −1: b ← Rᵀ b.
+/// Computes b ← R b for the sign 1, and b ← Rᵀ b for −1.
 void turn2(const std::vector<int>& vertices, const double* rotations, double sign, double* b) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const double* const r = rotations + 2 * static_cast<std::ptrdiff_t>(vertices[i]);

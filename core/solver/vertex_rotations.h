@@ -20,7 +20,10 @@ class VertexRotations {
 
     /// Selects rotations that are smooth, as a preconditioner needs them, or rough.
     enum class Finish { Smooth, Rough };
-    /// Computes the best rigid fit of the edges at every vertex.
+    /// Computes the best rigid fit of the edges at every vertex. It minimizes Σ_j ‖(y_j − y) − R (x_j − x)‖²
+    /// over the edges of a vertex; smooth ones minimize the sum over a neighbourhood that ten sweeps (in
+    /// space three) have widened. A vertex without a unique best rotation gets the identity or any rotation,
+    /// since only the speed of iterations depends on it.
     void compute(const Points<Dim>& from, const Points<Dim>& to, WorkerPool& workers,
                  Finish finish = Finish::Smooth);
 

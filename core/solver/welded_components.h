@@ -11,7 +11,8 @@ namespace wend {
 /// rotation in every plane, and a scaling.
 template <int Dim>
 using SimilarityVelocities = Eigen::Matrix<double, Dim, Dim + Dim*(Dim - 1) / 2 + 1>;
-/// Returns these velocities at p.
+/// Returns these velocities at p. Rotations are in the planes (a, b), a < b, in this order, with the velocity
+/// −p_b along a and p_a along b.
 template <int Dim>
 SimilarityVelocities<Dim> similarityVelocities(const Vec<Dim>& p);
 

@@ -107,7 +107,7 @@ double opacityOf(const pugi::xml_node& node) {
     return std::clamp(value.ends_with('%') ? number / 100 : number, 0.0, 1.0);
 }
 
-/// Returns whether an element has several shapes, or one with a stroke, which lie over one another.
+/// Returns whether an element has several shapes, or one with a stroke, which overlap.
 bool mayOverlap(const pugi::xml_node& node) {
     const std::string_view name = node.name();
     if (name == "use" || name == "text") return true;

@@ -261,7 +261,7 @@ class VectorMaker {
         return inside;
     }
 
-    /// Returns the definition that stands for an element at a place; begins it if it is new.
+    /// Returns the definition that represents an element at a place; begins it if it is new.
     std::string definition(const char* kind, const std::string& id, const Affine& map,
                            pugi::xml_node& begun) {
         std::string& own = m_definitions[std::string(kind) + id + transformText(map)];

@@ -87,7 +87,7 @@ class AbaqusReader {
         std::size_t offset, first;  // of its nodes in m_corners
     };
 
-    /// The next line that is no comment; a keyword's goes on after a comma.
+    /// Takes the next line that is no comment; a keyword's line continues after a comma.
     bool nextLine() {
         while (m_scanner.remaining() > 0) {
             m_offset = m_scanner.offset();
@@ -116,7 +116,7 @@ class AbaqusReader {
         if (!std::isfinite(value)) fail(inQuotes(word) + " is not a finite number");
         return value;
     }
-    /// A parameter of the keyword, without quotes.
+    /// Returns a parameter of the keyword, without quotes.
     std::string parameter(std::string_view wanted) const {
         for (const auto item : m_items) {
             const auto equals = item.find('=');

@@ -27,7 +27,7 @@ constexpr std::string_view kPlanes[] = {"CPEG", "CPE",   "CPS",  "CAX", "CGAX", 
                                         "ACAX", "SFM3D", "STRI", "M3D", "R3D",  "DS",   "S"};
 constexpr std::string_view kLines[] = {"T3D", "T2D", "R2D", "DC1D", "RAX"};
 
-/// The number right behind the family's name; 0 if the type is of another family.
+/// Returns the number right behind the family's name; 0 if the type is of another family.
 int nodesIn(std::string_view type, std::string_view family) {
     if (type.size() <= family.size() || !sameWord(type.substr(0, family.size()), family)) return 0;
     int nodes = 0;
@@ -51,7 +51,7 @@ std::optional<CellKind> inFamilies(std::string_view type, const std::string_view
     return std::nullopt;
 }
 
-/// The coordinates in a deck's lines of nodes, replaced by others in their order.
+/// Returns a deck in whose lines of nodes the coordinates are replaced by others, in their order.
 std::string deckWithPoints(const std::string& deck, const Eigen::Matrix3Xd& points) {
     TextWriter out;
     bool nodes = false, goesOn = false;

@@ -42,6 +42,8 @@ std::vector<std::array<int, 3>> splitFace(const CellFace& face, std::span<const 
     return triangles;
 }
 
+/// Returns the triangles of a strip: every corner forms one with the two before it, and every second one is
+/// reversed to keep the orientation.
 std::vector<std::array<int, 3>> splitStrip(std::span<const int> corners) {
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t k = 2; k < corners.size(); ++k) {
@@ -63,7 +65,7 @@ std::vector<std::array<int, 3>> splitFlatCell(const MeshFile& file, int c, bool 
     return splitPolygon(file.points, ring);
 }
 
-/// The values of a field for the simplices that cells were split into.
+/// Returns the values of a field for the simplices that cells were split into.
 std::vector<double> spread(const MeshField& field, const std::vector<int>& cellOf) {
     std::vector<double> values;
     values.reserve(cellOf.size() * static_cast<std::size_t>(field.components));

@@ -185,8 +185,8 @@ class CgnsReader {
             for (const Hdf5Node* condition : childrenOf(*all, "BC_t")) readGroup(*condition);
         for (const Hdf5Node* region : childrenOf(zone, "ZoneSubRegion_t")) readGroup(*region);
     }
-    /// A list or a range of vertices or elements; one of cells of several dimensions becomes a group for
-    /// each.
+    /// Reads a list or a range of vertices or elements; one of cells of several dimensions becomes a group
+    /// for each.
     void readGroup(const Hdf5Node& node) {
         const bool isOld = node.find("ElementList") || node.find("ElementRange");
         const std::string place = textAt(node, "GridLocation");
@@ -220,7 +220,7 @@ class CgnsReader {
             m_file.groups.push_back(std::move(group));
         }
     }
-    /// The members of a range: numbers, or the vertices of a block of a structured zone.
+    /// Returns the members of a range: numbers, or the vertices of a block of a structured zone.
     Numbers membersOf(const Numbers& range, bool isOfCells) const {
         Numbers members;
         const std::size_t directions = range.size() / 2;

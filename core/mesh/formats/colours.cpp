@@ -15,7 +15,7 @@ const std::vector<double>& valuesOf(const MeshField& field) {
     return field.ofCells.empty() ? field.values : field.ofCells;
 }
 
-/// Returns the number that stands for full brightness.
+/// Returns the number that represents full brightness.
 double fullOf(const MeshField& field) {
     if (field.type == Scalar::UInt8) return 255;
     if (field.type == Scalar::UInt16) return 65535;

@@ -29,7 +29,7 @@ const ExodusType* exodusTypeNamed(std::string_view name, std::size_t nodes);
 /// of space, edges of others.
 std::vector<std::vector<int>> exodusSidesOf(CellKind kind);
 
-/// The side of an element that stands for a cell of the dimension below, both from 0; −1 where none does.
+/// The side of an element that represents a cell of the dimension below, both from 0; −1 where none does.
 struct ExodusSide {
     int element, side;
 };

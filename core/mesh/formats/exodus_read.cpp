@@ -137,7 +137,8 @@ class ExodusReader {
         return m_file.groups.back();
     }
 
-    /// The sides of a set become cells with the corners of the elements they belong to; each exists once.
+    /// Makes cells of the sides of every set, with the corners of the elements they belong to; each exists
+    /// once.
     void readSideSets(int elements) {
         const Numbers ids = numbersOf("ss_prop1");
         const std::vector<std::string> names = namesOf("ss_names");

@@ -235,7 +235,7 @@ class PolyMesh {
             file.cells.addFace(triangle);
         }
     }
-    /// The faces of every patch become a group of its name.
+    /// Adds a group of its name for the faces of every patch.
     void addPatches(MeshFile& file) {
         FoamText text(pathOf("boundary"), textOf("boundary"));
         const long patches = text.number();

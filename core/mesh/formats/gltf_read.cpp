@@ -79,7 +79,7 @@ std::size_t sizeOf(Component type) {
     return 0;
 }
 
-/// The least and largest value of an integer type, for normalized ones.
+/// Returns the greatest value of an integer type, for normalized ones.
 double greatestOf(Component type) {
     return type == Component::Int8    ? 127
            : type == Component::UInt8 ? 255
@@ -378,7 +378,7 @@ class GltfReader {
         }
     }
 
-    /// The nodes, if there are several, and the materials.
+    /// Adds groups for the nodes, if there are several, and for the materials.
     void addGroups() {
         if (m_nodes.size() > 1)
             for (const Node& node : m_nodes) {

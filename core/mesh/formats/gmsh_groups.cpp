@@ -24,7 +24,8 @@ GmshGroups::GmshGroups(const MeshFile& bag)
     findEntities();
 }
 
-/// Their own numbers where these are free, others behind all.
+/// Gives groups of cells their own numbers where these are positive and free, and others behind all. Own
+/// numbers are taken first, so that a group without one cannot displace them.
 void GmshGroups::nameGroups() {
     std::set<std::pair<int, long>> taken;
     for (const MeshGroup& group : m_bag.groups) {
@@ -56,8 +57,9 @@ void GmshGroups::findRest() {
     }
 }
 
-/// The field's number where it is one, else the group's; other groups in an entity get an entity behind all
-/// others.
+/// Takes the field's number where it is one, else the group's. All cells of an entity must be in the same
+/// physical groups: the first cell decides, and others get an entity behind all others, one for each wish and
+/// set of groups.
 void GmshGroups::findEntities() {
     std::map<std::pair<int, long>, std::vector<long>> groupsOf;
     std::map<std::pair<int, std::vector<long>>, std::map<long, long>> known;

@@ -251,7 +251,7 @@ class GmshPrinter {
     TextWriter m_out;
 };
 
-/// The cells of a volume that was made, without its boundary's.
+/// Returns the cells of a generated volume without those of its boundary.
 MeshFile withoutTriangles(const MeshFile& bag) {
     MeshFile bare = withoutBoundary(bag);
     bare.cells = {};

@@ -26,7 +26,7 @@ void list(const std::vector<std::array<int, N>>& simplices, CellKind kind, CellL
     }
 }
 
-/// The tetrahedra or triangles that each cell was split into.
+/// Returns for each cell the tetrahedra or triangles that it was split into.
 std::vector<std::vector<int>> piecesOfCells(const MeshFile& mesh) {
     std::vector<std::vector<int>> parts(static_cast<std::size_t>(mesh.cells.size()));
     const auto& cellOf = isVolume(mesh) ? mesh.cellOfTetrahedron : mesh.cellOfTriangle;
@@ -43,7 +43,7 @@ void addBehind(const MeshFile& mesh, std::vector<std::vector<int>>& parts) {
         if (behind[t] >= 0) parts[static_cast<std::size_t>(mesh.cellOfTriangle[t])].push_back(behind[t]);
 }
 
-/// The mean of the parts; the value itself where there is one.
+/// Returns the mean of every cell's parts: the value itself where there is one, NaN where there is none.
 std::vector<double> gathered(const MeshField& field, const std::vector<std::vector<int>>& parts) {
     std::vector<double> values;
     values.reserve(parts.size() * static_cast<std::size_t>(field.components));
@@ -59,7 +59,7 @@ std::vector<double> gathered(const MeshField& field, const std::vector<std::vect
     return values;
 }
 
-/// The labels of triangles that were made as groups with the names they have.
+/// Adds the labels of generated triangles as groups, with their names.
 void addLabelGroups(MeshFile& bag) {
     std::map<int, MeshGroup> groups;
     for (std::size_t t = 0; t < bag.labels.size(); ++t)
@@ -135,6 +135,8 @@ void joinVectors(MeshFile& file, std::string_view before, std::string_view lette
     }
 }
 
+/// Values that were read for all cells are kept, and only computed ones gathered. Groups are made for
+/// generated cells alone, because a file that was read has its own.
 MeshFile bagOf(MeshFile mesh, bool trianglesFirst) {
     const bool made = mesh.cells.empty();
     if (made) listMade(mesh, trianglesFirst);

@@ -127,7 +127,8 @@ bool holdsPolyData(CellKind kind) {
 bool holdsTetgen(CellKind kind) {
     return kind == CellKind::Triangle || kind == CellKind::Tetrahedron || kind == CellKind::Line;
 }
-/// Lines, faces of three and four corners and cells of space, without nodes between the corners.
+/// Returns whether a kind is a line, a face of three or four corners or a cell of space, without nodes
+/// between the corners.
 bool holdsLinear(CellKind kind) {
     return kind == CellKind::Line || kind == CellKind::Triangle || kind == CellKind::Quad ||
            (kind >= kFirstOfSpace && linearKind(kind) == kind);

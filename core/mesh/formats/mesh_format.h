@@ -90,8 +90,10 @@ const std::vector<InputFormat>& inputFormats();
 /// Does the work of readMeshFile for such a format, without the file system. Throws InputError(file, reason).
 MeshFile readSource(const InputFormat& format, const MeshSource& file, MeshNeeds needs);
 
-/// Readers: take the bytes of one file, or of one per extension in the format's order, and return the mesh.
-/// Throw InputError that begins with the line or the byte offset and may lack the file's name.
+/// Readers: take the bytes of one file, or of one per extension in the format's order, and return the mesh,
+/// with the file's order of vertices and cells. They may return indices out of range and coordinates that are
+/// not finite; readSources() refuses these. Throw InputError that begins with the line or the byte offset and
+/// may lack the file's name.
 MeshFile readGltf(std::span<const MeshSource> files);
 MeshFile readThreeMf(std::span<const MeshSource> files);
 MeshFile readObj(std::span<const MeshSource> files);
@@ -113,9 +115,9 @@ MeshFile readXdmf(std::span<const MeshSource> files);
 MeshFile readExodus(std::span<const MeshSource> files);
 MeshFile readCgns(std::span<const MeshSource> files);
 
-/// Printers: return the bytes of one file, or of one per extension in the format's order. Numbers read back
-/// as the same doubles, or as floats in the encodings that say so. Throw InputError for cells that the format
-/// cannot hold.
+/// Printers: return the bytes of one file, or of one per extension in the format's order, for a bag (see
+/// bagOf) that asHeld() has fitted to the format. Numbers read back as the same doubles, or as floats in the
+/// encodings that say so. Throw InputError for cells that the format cannot hold.
 std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printPly(const MeshFile& mesh, const MeshWriteOptions& options);
 std::vector<std::string> printOff(const MeshFile& mesh, const MeshWriteOptions& options);

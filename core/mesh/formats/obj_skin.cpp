@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The first word, which is taken off the line.
+/// Returns the first word, which is taken off the line.
 std::string_view takeWord(std::string_view& line) {
     line = trimmed(line);
     const std::size_t end = std::min(line.find_first_of(" \t\r"), line.size());

@@ -26,12 +26,14 @@ void grow(std::vector<double>& expansion, double x) {
     expansion.push_back(x);
 }
 
+/// Adds a · b exactly: the rounded product, and its rounding error by a fused multiplication.
 void growByProduct(std::vector<double>& expansion, double a, double b) {
     const double product = a * b;
     grow(expansion, std::fma(a, b, -product));
     grow(expansion, product);
 }
 
+/// Returns the sign of an expansion, which is that of its last component that is not 0, the greatest one.
 int signOfSum(const std::vector<double>& expansion) {
     for (auto e = expansion.rbegin(); e != expansion.rend(); ++e)
         if (*e != 0) return *e > 0 ? 1 : -1;
@@ -171,7 +173,7 @@ class EarClipper {
         const auto best = std::ranges::max_element(m_shapes);
         return *best >= 0 ? static_cast<int>(best - m_shapes.begin()) : -1;
     }
-    /// The shape of the ear there, −1 if it is none.
+    /// Sets the shape of the ear there, −1 if it is none.
     void judge(int k) {
         const int a = at(k - 1), b = at(k), c = at(k + 1);
         double& shape = m_shapes[static_cast<std::size_t>((k + count()) % count())];

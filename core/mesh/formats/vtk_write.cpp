@@ -62,7 +62,7 @@ class VtkPrinter {
         for (const MeshField& field : mesh.fileFields) m_binary = m_binary || !isFinite(field.values);
     }
 
-    /// The layout of version 3, which every reader knows.
+    /// Prints the layout of version 3, which every reader knows.
     std::string print() {
         m_out << "# vtk DataFile Version 3.0\nWend\n"
               << (m_binary ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\n";

@@ -22,7 +22,8 @@ constexpr std::pair<std::string_view, Scalar> kScalars[] = {
 
 constexpr std::size_t blockSize = 1 << 15;  // VTK's
 
-/// No compressor expands a byte to more.
+/// Returns a bound of the bytes that one compressed byte can become. It shows a damaged header before memory
+/// is allocated for what that claims.
 std::size_t maxRatio(VtuEncoding::Compressor compressor) {
     if (compressor == VtuEncoding::Compressor::Lz4) return 256;
     return compressor == VtuEncoding::Compressor::Lzma ? 16384 : 1032;
@@ -107,7 +108,8 @@ struct Block {
     std::size_t packed, size;  // in bytes
 };
 
-/// The compressed blocks that follow the header, which is taken.
+/// Returns the compressed blocks that follow the header, which is taken. All lengths are checked against what
+/// the text can hold before anything is allocated for them.
 std::vector<Block> takeBlocks(Pieces& pieces, std::size_t textSize, const VtuEncoding& encoding) {
     const auto word = sizeOf(encoding.header);
     const auto count = headerNumber(pieces.peek(word), 0, encoding);

@@ -198,7 +198,7 @@ class VtuReader {
             throw InputError("its offset is beyond the appended data");
         return m_parts.appended->substr(static_cast<std::size_t>(offset));
     }
-    /// The bytes of a binary array, once their number is known to be right.
+    /// Returns the bytes of a binary array, once their number is known to be right.
     std::string bytesOf(pugi::xml_node array, bool appended, Scalar type, std::optional<Count> wanted) {
         auto encoding = m_encoding;
         encoding.base64 = !appended || !m_appendedRaw;
@@ -214,7 +214,7 @@ class VtuReader {
         const auto first = text.find_first_not_of(" \t\r\n");
         return first == std::string_view::npos ? std::string_view() : text.substr(first);
     }
-    /// All numbers of an array, each made by take(reader, type).
+    /// Returns all numbers of an array, each made by take(reader, type).
     template <class T, class Take>
     std::vector<T> numbersOf(pugi::xml_node array, std::optional<Count> wanted, const Take& take) {
         const auto type = scalarOf(array);

@@ -18,7 +18,7 @@ void append(std::vector<int>& list, Graph& graph) {
     graph.start.push_back(static_cast<int>(graph.neighbours.size()));
 }
 
-/// The number that comes most often, the least of several; −1: there is none.
+/// Returns the number that comes most often, the least of several; −1 if there is none. Sorts the numbers.
 int mostFrequent(std::vector<int>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     int result = -1;
@@ -48,6 +48,9 @@ Graph graphOf(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>& system) {
     return graph;
 }
 
+/// Works in three passes in the order of the unknowns: whole neighbourhoods found groups, others join the
+/// group of most of their neighbours as founded, and what has no such neighbour founds one with what is left
+/// around it.
 Aggregates aggregatesOf(const Graph& graph) {
     Aggregates result;
     auto& of = result.of;

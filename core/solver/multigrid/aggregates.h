@@ -25,7 +25,8 @@ template <int Dim>
 Graph graphOf(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>& system);
 
 /// Returns groups of unknowns. An unknown founds a group with its neighbours if neither it nor any of them is
-/// in one yet; each of the others joins the group that most of its neighbours are in.
+/// in one yet; each of the others joins the group that most of its neighbours are in. Every unknown is in one
+/// group, and the result depends on the graph alone. Time is about linear.
 Aggregates aggregatesOf(const Graph& graph);
 
 /// Returns the graph of the groups, in which two are neighbours if members of theirs are.

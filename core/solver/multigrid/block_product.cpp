@@ -16,7 +16,7 @@ namespace wend {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// N floats as doubles.
+/// Returns N floats as doubles.
 template <int N>
 HWY_ATTR HWY_INLINE Row<N> promoted(const float* p) {
     using Tag = typename Row<N>::Tag;

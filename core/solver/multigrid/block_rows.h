@@ -35,7 +35,8 @@ class BlockRows {
     Eigen::Map<Block> block(int entry) {
         return Eigen::Map<Block>(m_values.data() + static_cast<std::size_t>(entry) * Size * Size);
     }
-    /// Returns the entry of a column that a row has.
+    /// Returns the entry of a column that a row has. By binary search; a column that the row does not have
+    /// gives another entry.
     int entryOf(int row, int column) const {
         const auto first = m_column.begin() + m_start[row], last = m_column.begin() + m_start[row + 1];
         return static_cast<int>(std::lower_bound(first, last, column) - m_column.begin());

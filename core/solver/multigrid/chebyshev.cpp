@@ -27,7 +27,7 @@ double rough(std::uint64_t number) {
     return static_cast<double>((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1;
 }
 
-/// Numbers without a pattern, the same every time and however the system is divided.
+/// Fills a field with numbers without a pattern, the same every time and however the system is divided.
 template <int Size>
 void makeRough(Points<Size>& x, const PartLinks& links) {
     for (Eigen::Index i = 0; i < x.cols(); ++i)
@@ -84,7 +84,8 @@ bool Chebyshev<Size>::invertDiagonal(const BlockRows<Size>& K, const std::vector
 }
 
 /// Estimates the eigenvalue by Lanczos' tridiagonal matrix, which conjugate gradients from a rough right-hand
-/// side give.
+/// side give. The side of the matrix is √β / α, its diagonal 1/α + β/α of the steps before. The estimate is
+/// from below, hence the margin: an eigenvalue above the bound would be amplified.
 template <int Size>
 bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsigned>& held,
                               const PartLinks& links, WorkerPool& workers) {
@@ -123,7 +124,9 @@ bool Chebyshev<Size>::prepare(const BlockRows<Size>& K, const std::vector<unsign
     return std::isfinite(m_largest) && m_largest > 0;
 }
 
-/// Runs the three-term recurrence of Chebyshev's polynomials for the upper part of the spectrum.
+/// Runs the three-term recurrence of Chebyshev's polynomials for the upper part of the spectrum. It damps
+/// [kPart, 1] of the largest eigenvalue evenly (Saad, Iterative Methods for Sparse Linear Systems, 2003,
+/// Algorithm 12.1); smoother parts are left to the coarse level. `degree` products with K are taken at most.
 template <int Size>
 void Chebyshev<Size>::smooth(int degree, bool residual, const BlockRows<Size>& K, Points<Size>& r,
                              Points<Size>& z, const PartLinks& links, WorkerPool& workers) {

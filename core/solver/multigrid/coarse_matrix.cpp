@@ -22,7 +22,8 @@ void addProduct(const Left& A, const Right& B, Sum& C) {
     }
 }
 
-/// (Pᵀ K) P in the row of an aggregate.
+/// Computes (Pᵀ K) P in the row of an aggregate, its lower triangle only. Row by row the products need no
+/// matrix Pᵀ K as a whole, and their sums run in the order of the rows of K.
 template <int Size, int Modes>
 class LowerRow {
   public:
@@ -49,6 +50,7 @@ class LowerRow {
     }
 
   private:
+    /// Computes the row of Pᵀ K: one Modes × Size block for every column of K that the aggregate's rows have.
     void multiplyLeft(int aggregate) {
         m_rows.clear();
         m_left.clear();
@@ -63,6 +65,7 @@ class LowerRow {
         }
     }
 
+    /// Computes the row's product with P, up to the diagonal.
     void multiplyRight(int aggregate) {
         m_columns.clear();
         m_sums.clear();
@@ -93,7 +96,8 @@ void forBlocks(const CoarseShare<Modes>& share, Visit&& visit) {
             visit(share.rows[i], share.columns[next], share.blocks[next]);
 }
 
-/// All rows, the upper triangle from the lower one: in a row that comes first.
+/// Returns the matrix with all columns of each row: blocks above the diagonal are the transposes of those
+/// below, and follow these in their row.
 template <int Modes>
 BlockRows<Modes> whole(const CoarseShare<Modes>& share) {
     const int rows = static_cast<int>(share.rows.size());

@@ -32,6 +32,7 @@ template <int Modes>
 CoarseShare<Modes> merged(const std::vector<CoarseShare<Modes>>& shares);
 
 /// Returns Pᵀ K P, exactly symmetric, from the share of the whole; missing motions have a 1 on the diagonal.
+/// It is symmetric positive definite if K is, up to the rounding of its single precision.
 template <int Modes>
 BlockRows<Modes> coarseMatrix(const CoarseShare<Modes>& share);
 

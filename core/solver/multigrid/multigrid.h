@@ -31,7 +31,8 @@ class Multigrid {
     /// Builds all levels at a shape, which is the back end's.
     BuildStatus build(const Points<Dim>& shape);
     /// Computes z ≈ K⁻¹ r in the part's own unknowns, with K at the shape of the levels; returns false if the
-    /// result is not finite.
+    /// result is not finite. The operator is symmetric and positive definite, as conjugate gradients need it,
+    /// and takes time linear in the unknowns. r and z have Dim numbers per unknown.
     bool apply(std::span<const double> r, std::span<double> z);
 
   private:

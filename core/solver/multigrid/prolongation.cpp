@@ -20,12 +20,13 @@ void sortUnique(std::vector<int>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// The place of a number in an ascending list that has it.
+/// Returns the place of a number in an ascending list that has it.
 int placeIn(const std::vector<int>& list, int number) {
     return static_cast<int>(std::lower_bound(list.begin(), list.end(), number) - list.begin());
 }
 
-/// G = L Lᵀ; columns without a pivot are 0, and their bits set.
+/// Factorizes G = L Lᵀ of Gram's matrix of the motions. Motions without a pivot depend on those before; their
+/// columns are 0, and their bits are set in the result.
 template <class Square>
 unsigned factorize(const Square& G, Square& L) {
     unsigned missing = 0;
@@ -43,7 +44,8 @@ unsigned factorize(const Square& G, Square& L) {
     return missing;
 }
 
-/// Q with B = Q Lᵀ; columns that are missing are 0.
+/// Returns Q with B = Q Lᵀ, whose columns are orthonormal within an aggregate; columns that are missing are
+/// 0.
 template <class Motions, class Square>
 Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
     Motions Q = B;
@@ -59,7 +61,8 @@ Motions orthonormal(const Motions& B, const Square& L, unsigned missing) {
 
 }  // namespace
 
-/// Orthonormalizes the motions within every aggregate; those that depend on others are missing.
+/// Orthonormalizes the motions within every aggregate; those that depend on others are missing. The motions
+/// as coarse fields are Lᵀ of the factorization G = L Lᵀ of their Gram matrix, since B = Q Lᵀ.
 template <int Size, int Modes>
 auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const std::vector<Motions>& motions)
     -> std::vector<Square> {
@@ -88,7 +91,10 @@ auto Prolongation<Size, Modes>::makeMotions(const Aggregates& aggregates, const 
     return G;
 }
 
-/// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held.
+/// Computes P ← (I − ω D⁻¹ K) P. D⁻¹ is 0 in coordinates that are held. One step of Jacobi's method spreads
+/// every motion to the neighbours of its aggregate, and takes away the jumps at its boundary, which would
+/// cost much energy. The rows are made in pieces and joined in their order, since their lengths are not known
+/// before.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
                                        const Chebyshev<Size>& smoother, WorkerPool& workers) {
@@ -145,6 +151,7 @@ void Prolongation<Size, Modes>::smooth(double damping, const BlockRows<Size>& K,
     }
 }
 
+/// Appends the rows of unknowns of other parts.
 template <int Size, int Modes>
 void Prolongation<Size, Modes>::addCopies(const PartLinks& links) {
     constexpr int kNumbers = Size * Modes;
