@@ -8,7 +8,7 @@
 #include "kernels/opencl_devices.h"
 #include "warp/picture_library.h"
 
-/// One program: subcommands work without a display, everything else is for the window.
+/// Runs subcommands without a display, and opens the window for everything else.
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
     wend::prepareOpenClEnvironment();

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kRoom = std::size_t(256) << 20;
 
-/// Nothing is initialized yet, not even the C++ library: system calls, and what the linker itself needs.
+/// Writes with a system call, because nothing is initialized yet, not even the C++ library; needs nothing but
+/// what the linker itself uses.
 void say(const char* text) {
     if (write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(1);
 }

@@ -248,8 +248,8 @@ std::string DividedSolver<Dim>::DividedBackEnd::device() const {
            (threads == 1 ? "" : " of " + std::to_string(threads) + " threads");
 }
 
-/// The groups of all levels that may be divided. The first coarse level is one of them where there are groups
-/// of the next one enough for all processes: a part has these whole.
+/// Returns the groups of all levels that may be divided. The first coarse level is divided, too, if the next
+/// one has enough groups for all processes; each part then has whole groups.
 template <int Dim>
 auto DividedSolver<Dim>::levels() const -> Levels {
     constexpr int kModes = Multigrid<Dim>::kModes;
@@ -347,7 +347,7 @@ void DividedSolver<Dim>::scatter(const Points<Dim>& whole) const {
     }
 }
 
-/// The new velocities of all unknowns, and what follows from them.
+/// Gathers the new velocities of all unknowns, and computes the others from them.
 template <int Dim>
 void DividedSolver<Dim>::gather(const Points<Dim>& own, Points<Dim>& v) const {
     Points<Dim> added(Dim, static_cast<Eigen::Index>(m_system.unknowns().size())), received;

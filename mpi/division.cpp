@@ -45,8 +45,8 @@ Division<Dim>::Division(const AssemblyPlan<Dim>& plan, const ReducedSystem<Dim>&
     for (std::size_t i = 0; i < pivots.size(); ++i) m_homeOf.push_back(homeOf(i));
 }
 
-/// A part with an unknown that the pivot follows from, or in a cell of it; if there is none, one like
-/// another.
+/// Returns the part of an unknown that determines the pivot or shares a cell with it; if there is none,
+/// spreads the pivots evenly over the parts.
 template <int Dim>
 int Division<Dim>::homeOf(std::size_t pivot) const {
     const auto& [vertex, row, values, free] = m_system.elimination().pivots[pivot];
@@ -58,8 +58,8 @@ int Division<Dim>::homeOf(std::size_t pivot) const {
     return static_cast<int>(pivot * static_cast<std::size_t>(m_parts) / m_system.elimination().pivots.size());
 }
 
-/// The vertices of which a part needs the rows of A: its own unknowns, the pivots that follow from them, and
-/// those that count for it.
+/// Returns the vertices whose rows of A a part needs: its own unknowns, the pivots that depend on them, and
+/// the pivots that are assigned to it.
 template <int Dim>
 std::vector<int> Division<Dim>::rowsOf(int number) const {
     std::vector<int> rows;

@@ -38,7 +38,8 @@ struct WeightedGraph {
     int nodes() const { return static_cast<int>(nodeWeight.size()); }
 };
 
-/// The groups of vertices with edges where cells connect them; `groupOf` has a group for every vertex, or −1.
+/// Returns the graph of the groups of vertices, with edges where cells connect them; `groupOf` has a group
+/// for every vertex, or −1.
 template <int Dim>
 WeightedGraph groupGraph(const AssemblyPlan<Dim>& plan, const std::vector<int>& groupOf, int groups);
 

@@ -236,7 +236,7 @@ void Lifeline::watch() {
     }
 }
 
-/// A process that was lost is named once.
+/// Ends this process; only the first two report the loss, so that it is printed once.
 void Lifeline::endFor(const Peer& peer, int code) {
     if (m_rank > 1) endProcess(code);
     const std::string place = peer.host.empty() ? "" : " (" + peer.host + ")",

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// The others end when the first process does; it alone is asked to stop.
+/// Serves until the first process ends; only that one reacts to interrupts.
 [[noreturn]] void serveToTheEnd(std::optional<wend::Team>& team, std::optional<wend::Lifeline>& lifeline) {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);

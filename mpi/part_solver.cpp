@@ -211,7 +211,7 @@ void DividedLevel<Modes>::listUsers(const CoarseShare<Modes>& share) {
         for (int& number : list) number = ownPlace(number);
 }
 
-/// The copies: columns of its rows that are other processes' aggregates.
+/// Numbers the copies, which are the columns of its rows that are other processes' aggregates.
 template <int Modes>
 std::vector<Neighbour> DividedLevel<Modes>::number(const std::vector<Row>& rows) {
     std::vector<std::vector<int>> copied(static_cast<std::size_t>(m_team.size()));

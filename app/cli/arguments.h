@@ -52,7 +52,7 @@ class Arguments {
 
 /// Applies the settings of the command line, which take precedence over the project's.
 void takeSettings(Project& project, const Arguments& arguments);
-/// An option that would change nothing in such a project is a mistake: throws UsageError.
+/// Throws UsageError for an option that would change nothing in this project.
 void requireFitting(const Project& project, const Arguments& arguments);
 
 /// An option of a subcommand, in words.

@@ -26,7 +26,7 @@ ExitCode print(const std::string& text);
 /// The message about work that was cancelled.
 inline constexpr const char* kCancelled = "cancelled; nothing was written";
 
-/// The only file on the line; throws UsageError if there is none or there are several.
+/// Returns the only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);
 
 }  // namespace wend

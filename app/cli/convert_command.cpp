@@ -24,7 +24,7 @@ struct Conversion {
     Terminal& terminal;
     DrawnSize drawn{};  // of a drawing
 
-    /// The extension that decides the format of the output.
+    /// Returns the extension that decides the format of the output.
     std::string extension(const char* standard) const { return to == "-" ? standard : lowerExtension(to); }
     void tell(const std::string& what) const {
         if (!what.empty()) terminal.warn(to + ": " + what);

@@ -264,7 +264,7 @@ void addMissing(const Domain& domain, const std::string& folder, Json& json) {
                 {{"what", "the domain's file " + path + " does not exist"}, {"fatal", true}});
 }
 
-/// The file that is warped, and what is asked of its mesh where Wend makes it.
+/// Describes the input file, and the options of its mesh if Wend makes that.
 Json domainInfo(const Domain& domain) {
     static const char* const kinds[] = {"image", "mesh", "surface"};
     Json json{{"kind", kinds[static_cast<int>(domain.kind)]}, {"file", domain.path}};
@@ -330,7 +330,7 @@ std::string numbers(const Json& list) {
 
 std::string asText(const Json& json, const std::string& indent);
 
-/// A line with a bar for each step that has any, and for those between.
+/// Returns a line with a bar for each step from the first to the last that is not empty.
 std::string barsText(const Json& histogram, const std::string& indent) {
     const std::vector<int> counts = histogram["counts"];
     const bool doubling = histogram.contains("factor");

@@ -56,7 +56,7 @@ void readDomain(const Arguments& arguments, Project& project) {
     requireFitting(project, arguments);
 }
 
-/// A project that is nothing but this domain.
+/// Returns a project with this domain and default values for everything else.
 std::shared_ptr<Project> domainOnly(DomainKind kind, const std::string& path) {
     auto project = newProject();
     domainOf(*project).kind = kind;
@@ -70,7 +70,8 @@ struct Input {
     std::string folder;  // that its paths are relative to
 };
 
-/// A project's domain, a surface, or a picture, which counts from its alpha if it has one.
+/// Reads the domain from a project, a surface or a picture; the outline of a picture with alpha follows the
+/// alpha.
 Input inputFrom(const std::string& path, Terminal& terminal) {
     if (lowerExtension(path) == ".wend") {
         LoadedProject loaded = readProject(path);

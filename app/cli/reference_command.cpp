@@ -57,7 +57,7 @@ std::string section(const std::string& title, const std::string& text) {
     return ".SH " + macroArgument(title) + "\n" + text + (text.ends_with('\n') ? "" : "\n");
 }
 
-/// A term in bold, what follows it in italics, and its meaning.
+/// Returns an entry of the manual page: the term in bold, its value in italics, and the meaning.
 std::string entry(const std::string& term, const std::string& value, const std::string& meaning) {
     return ".TP\n\\fB" + escaped(term) + "\\fR" + (value.empty() ? "" : " \\fI" + escaped(value) + "\\fR") +
            "\n" + escaped(meaning) + "\n";
@@ -313,8 +313,8 @@ std::string fishCompletion() {
            "complete -c wend -n __fish_use_subcommand -l version -d 'print the version'\n";
 }
 
-/// The script that completes the program's command line in "bash", "zsh" or "fish", from the tables of
-/// subcommands and options: commands, options, choices and file names.
+/// Returns the script that completes the program's command line in "bash", "zsh" or "fish", from the tables
+/// of subcommands and options: commands, options, choices and file names.
 std::string completionFor(const std::string& shell) {
     return shell == "bash" ? bashCompletion() : shell == "zsh" ? zshCompletion() : fishCompletion();
 }

@@ -72,7 +72,7 @@ Shard shardFrom(const std::string& text) {
     return shard;
 }
 
-/// A shard is painted from states, and it is frames that are divided.
+/// Throws UsageError unless a shard is asked of frames alone, which are painted from states.
 void requireShardOfFrames(const RunOptions& options) {
     const RunOutputs& outputs = options.outputs;
     if (options.from.empty()) throw UsageError("--shard needs states (--from FILE)");
@@ -121,7 +121,8 @@ void divide(IntegrationOptions& integration) {
     if (integration.threads == 0) integration.threads = 1;
 }
 
-/// The project's is as the line says by now. Frames without a number are as many as the motion needs.
+/// Sets the frame rate to the project's, which already includes the options of the line, and the number of
+/// frames, unless it is given, to as many as the motion needs.
 void takeFrameRate(const Project& project, double at, RunOutputs& outputs) {
     outputs.framesPerSecond = project.frameRate;
     if (outputs.count == 0)

@@ -25,7 +25,7 @@
 namespace wend {
 namespace {
 
-/// The velocity field at a frame; empty, with a remark, where it cannot be had.
+/// Returns the velocity field at a frame; empty, with a remark, if it cannot be computed.
 template <int Dim>
 Points<Dim> velocityAt(const Project& project, const PosedFrame<Dim>& frame, std::string& remark) {
     Points<Dim> velocity;
@@ -74,7 +74,7 @@ FrameSpan FrameExport::span(bool loop) const {
     return frameSpan(*m_project, m_seconds, outputs);
 }
 
-/// A span that begins or ends between two frames has both.
+/// Includes the frames on both sides of a span's ends.
 Extent<2> FrameExport::extent(ExportKind kind, bool loop) const {
     if (!isMotion(kind)) return extentOf<2>(m_pose, m_rest->cells);
     const auto [from, to] = span(loop);

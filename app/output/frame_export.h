@@ -42,7 +42,7 @@ class FrameExport {
     /// Returns the number of vertices in a mesh file with this extension.
     int vertexCount(const std::string& extension) const;
 
-    /// The picture that the shape carries, or null; rest and pose are in its pixels.
+    /// Returns the picture that the shape carries, or null; rest and pose are in its pixels.
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     const SimplicialMesh<2>& restInPixels() const { return *m_rest; }
     const Points2& poseInPixels() const { return m_pose; }

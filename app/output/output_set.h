@@ -33,7 +33,7 @@ class OutputSet {
     std::optional<std::string> m_standardOutput;  // its bytes
 };
 
-/// The file and what is written with it: TetGen's come in pairs.
+/// Returns the file and the files that are written with it: TetGen's come in pairs.
 std::vector<std::string> writtenAlong(const std::string& path);
 
 /// Throws InputError if a file cannot be written there, so that this is known before the work begins. "-" is
@@ -42,7 +42,7 @@ void requirePlaces(const std::vector<std::string>& paths);
 
 /// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
 std::string frameName(const std::string& pattern, int number);
-/// The number of the frame that has this name in the sequence, if one has.
+/// Returns the number of the frame that has this name in the sequence, if there is one.
 std::optional<int> frameNumber(const std::string& pattern, const std::string& name);
 
 }  // namespace wend

@@ -15,8 +15,8 @@ struct OwnInput {
     std::string path;
 };
 
-/// The files that a project is read from: its own, `path`, and all that it names, relative to `folder`,
-/// with what a surface in turn names.
+/// Returns the files that a project is read from: its own, `path`, and all that it names, relative to
+/// `folder`, with those that a surface in turn names.
 std::vector<OwnInput> inputsOf(const Project& project, const std::string& path, const std::string& folder);
 
 /// "OUTPUT: would replace INPUT, which is read here", or another output; empty if each has a place of its

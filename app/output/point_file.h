@@ -47,7 +47,7 @@ class PointTable {
     Points3 m_points;
 };
 
-/// True for names of such files: .csv, .tsv, .txt, .xyz and .dat.
+/// Returns whether the name is that of a table of points: .csv, .tsv, .txt, .xyz or .dat.
 bool isPointTable(const std::string& path);
 
 /// Returns the points as such a text: in a .csv file below the header "x,y[,z]", elsewhere between blanks.

@@ -128,8 +128,8 @@ template std::string faultsJson<3>(const PoseFaults<3>&);
 
 namespace {
 
-/// The worst of one measure, where it is, and the mean. `sign`: 1 where small values are bad, −1 where large
-/// ones are.
+/// Returns the worst value of one measure, its cell, and the mean. `sign` is 1 if small values are bad, −1 if
+/// large ones are.
 Json measureJson(const std::vector<CellShape>& shapes, double CellShape::*measure, double factor, int sign) {
     if (shapes.empty()) return {};
     const auto worst =

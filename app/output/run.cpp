@@ -126,7 +126,7 @@ class Run {
     }
 
   private:
-    /// The same, and notices are kept for the report. Threads that paint may call it.
+    /// Returns the watch extended to keep notices for the report. Threads that paint may call its notice().
     RunWatch listening(RunWatch watch) {
         watch.notice = [this, tell = std::move(watch.notice)](const Message& text) {
             const std::scoped_lock lock(m_noticing);
@@ -215,7 +215,7 @@ class Run {
         if (m_watch.kept) m_watch.kept(*m_states.front().reached());
     }
 
-    /// All from states that are there. A canvas that fits needs all frames.
+    /// Paints the frames of a shard from the known states. A canvas that fits the motion needs all frames.
     AdvanceResult runShard() {
         const int count = m_options.outputs.count, begin = m_options.shard->begin(count),
                   end = m_options.shard->end(count);
@@ -280,7 +280,7 @@ class Run {
         return m_velocity.cols() > 0;
     }
 
-    /// No cell folds over, but one may be next to nothing, and a body may pass through another.
+    /// Reports cells that are nearly flat, and bodies that pass through one another; no cell is inverted.
     void warnOfFaults() const {
         const double minimum = distortion<Dim>(*m_shape.rest, m_deformer.state().points).minDet;
         if (minimum < kCrushed)
@@ -297,7 +297,7 @@ class Run {
             m_watch.summary(canvasText(*canvas()));
     }
 
-    /// No format drops a colour profile without a word.
+    /// Reports every output whose format drops the colour profile.
     void warnOfColours() const {
         if (!m_shape.picture) return;
         for (const FileNames* names : {&m_options.outputs.image, &m_options.outputs.frames})
@@ -320,7 +320,7 @@ class Run {
         if (!m_faults.blown.empty()) m_watch.summary(blownText(m_faults));
     }
 
-    /// The numbers that are written are those that were checked, but for the one format that rounds them.
+    /// Repeats the checks on rounded numbers for binary STL, the only format that rounds them.
     void warnOfRounding(const std::string& path, const Points<Dim>& pose) const {
         const bool rounds =
             lowerExtension(path) == ".stl" && m_options.meshes.encoding != MeshWriteOptions::Encoding::Text;
@@ -408,7 +408,7 @@ class Run {
                     [&](const std::string& file) { writeTextFile(file, collectionText(names, times)); });
     }
 
-    /// One file holds all its poses.
+    /// Writes the outputs that hold all poses in one file.
     void writeAnimations() {
         for (const std::string& path : m_options.outputs.frames) {
             if (!isRigFile(path)) continue;
@@ -492,7 +492,7 @@ class Run {
     std::optional<MappedPoints<Dim>> m_points;
 };
 
-/// A shape that ends before its cycle has none of its frames.
+/// Throws InputError if the motion ends before its cycle begins, which would leave no frames.
 void requireSpan(const Project& project, const RunOptions& options) {
     if (!options.outputs.hasFrames()) return;
     const FrameSpan span = frameSpan(project, options.at.value_or(endOf(project)), options.outputs);

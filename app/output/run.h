@@ -142,9 +142,9 @@ struct RunWatch {
     /// Gets a sentence that the user should read, such as that a device failed and the processor continues.
     std::function<void(const Message& text)> notice;
     std::stop_token stop;
-    /// How it went, in one line, when all is written.
+    /// Gets one line about the result when everything is written.
     std::function<void(const std::string& text)> summary = {};
-    /// The time up to which the file of states holds them, whenever it holds more.
+    /// Gets the time up to which the file of states is complete, whenever that grows.
     std::function<void(double time)> kept = {};
 };
 
@@ -166,7 +166,8 @@ AdvanceResult runShape(const Project& project, const std::string& path, const Sh
 /// Returns whether the frames are written to one file: a .webp of pictures, a .glb of a solid, without a
 /// place for the number.
 bool isAnimation(const std::string& frames);
-/// The collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd"; empty for others.
+/// Returns the name of the collection that is written beside .vtu frames: "dir/f_####.vtu" → "dir/f.pvd";
+/// empty for other formats.
 std::string collectionName(const std::string& pattern);
 
 /// The times that frames are spread over, the second of which has none in a loop.

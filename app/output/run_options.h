@@ -7,7 +7,8 @@ namespace wend {
 
 struct WarpOptions;
 
-/// How outputs are made, of the command line or of a dialog: everything but which ones, and up to what time.
+/// Returns how outputs are made, from the options of the command line or of a dialog, but not which outputs,
+/// and up to what time.
 RunOptions runOptionsFrom(const OptionValues& values);
 MeshWriteOptions meshOptionsFrom(const OptionValues& values);
 

@@ -159,7 +159,7 @@ void requirePossible(const Project& project, const RunOutputs& outputs) {
 
 namespace {
 
-/// The size in pixels that are written, each of which is `scale` pixels of the plane wide.
+/// Returns the size in pixels of the output, each of which is `scale` pixels of the plane wide.
 Vec2 scaled(const Vec2& size, const CanvasChoice& canvas, double& scale) {
     if (!canvas.isScaled()) return size;
     const double factor = canvas.width > 0 ? canvas.width / size.x() : canvas.scale;

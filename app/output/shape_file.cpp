@@ -31,7 +31,7 @@ MeshField directionsField(const std::vector<Mat<Dim>>& anisotropy) {
     return field;
 }
 
-/// Three components in the plane too: that is what a vector is to other programs.
+/// Makes a field of three components in the plane, too, because other programs take no others for vectors.
 template <int Dim>
 MeshField vectorField(const char* name, const Points<Dim>& vectors) {
     MeshField field{name, false, 3, {}};
@@ -81,7 +81,7 @@ std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& f
     return values;
 }
 
-/// A field of the solid, at the vertices of the skin embedded in it.
+/// Interpolates a field of the solid at the vertices of the skin embedded in it.
 MeshField onSkin(const Shape<3>& shape, const MeshField& field) {
     const std::vector<double> values = field.perCell ? atVertices(*shape.rest, field) : field.values;
     MeshField carried{field.name, false, field.components, {}};
@@ -246,7 +246,7 @@ bool holdsFields(const std::string& path) {
 
 namespace {
 
-/// True if the format of the path is such a one.
+/// Returns whether the format of the path has the property.
 bool isOneWith(bool MeshFormatFacts::*fact, const std::string& path) {
     return std::ranges::any_of(meshFormatFacts(), [&](const MeshFormatFacts& format) {
         return format.*fact && std::ranges::count(format.extensions, lowerExtension(path)) > 0;

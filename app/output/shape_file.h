@@ -18,22 +18,22 @@ template <int Dim>
 std::vector<MeshField> shapeFields(const Shape<Dim>& shape, const Points<Dim>& pose,
                                    const Points<Dim>& velocity = {});
 
-/// The values that a file of that name gets: shapeFields(), and in a .vtu file (or on standard output, "-")
-/// per vertex "displacement", per cell "F" (row-major, 3 × 3 in the plane too), and of the pose and of the
-/// rest (name + "_rest") "scaled_jacobian", "aspect_ratio", "min_angle" and "max_angle" in degrees: see
-/// CellShape.
+/// Returns the values that are written to a file of that name: shapeFields(), and in a .vtu file (or on
+/// standard output, "-") per vertex "displacement", per cell "F" (row-major, 3 × 3 in the plane too), and of
+/// the pose and of the rest (name + "_rest") "scaled_jacobian", "aspect_ratio", "min_angle" and "max_angle"
+/// in degrees: see CellShape.
 template <int Dim>
 std::vector<MeshField> fieldsFor(const std::string& path, const Shape<Dim>& shape, const Points<Dim>& pose,
                                  const Points<Dim>& velocity = {});
 
-/// The mesh of a pose with what the domain's file said beside it: uv, fields, labels, order and count. Of a
-/// picture, uv come from the rest mesh. `fields` win over those of the same name. Throws InputError for a
-/// pose of another mesh.
+/// Returns the mesh of a pose with the other contents of the domain's file: uv, fields, labels, order and
+/// count. For a picture, uv come from the rest mesh. `fields` replace those of the same name. Throws
+/// InputError for a pose of another mesh.
 template <int Dim>
 MeshFile poseFile(const Shape<Dim>& shape, const Points<Dim>& pose,
                   const std::vector<MeshField>& fields = {});
 
-/// The columns of the vertices that meshes are written with: see MeshFile::made.
+/// Returns the columns of the vertices that meshes are written with: see MeshFile::made.
 template <int Dim>
 Points<Dim> writtenPart(const Shape<Dim>& shape, const Points<Dim>& columns);
 
@@ -65,9 +65,9 @@ void requireShapeFormat(const std::string& path, const std::string& extension, i
 /// Returns whether a format of solids keeps shapeFields().
 bool holdsFields(const std::string& path);
 
-/// True for formats in which shapeFields() are to be found again by other programs.
+/// Returns whether other programs find shapeFields() in the format.
 bool carriesValues(const std::string& path);
-/// True for formats whose numbers can be text or binary.
+/// Returns whether numbers in the format can be text or binary.
 bool knowsEncodings(const std::string& path);
 
 /// Returns whether a format is written with the skin of a solid.

@@ -14,7 +14,7 @@ class CutOutPanel : public QWidget {
 
   public:
     explicit CutOutPanel(Document& document, QWidget* parent = nullptr);
-    /// Why the settings of a cut-out cannot be changed elsewhere.
+    /// Returns why the settings of a cut-out cannot be changed for other pictures.
     static QString notACutOut();
 
     /// Shows the settings of one part of the picture; −1: of all.

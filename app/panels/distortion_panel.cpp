@@ -301,7 +301,7 @@ void DistortionPanel::describeFaults() {
                         "goes to the next place; the overlay marks them in red."));
 }
 
-/// The counts are unknown while a pose moves.
+/// Shows unknown counts while a pose moves.
 void DistortionPanel::showFaults() {
     m_crossed.clear();
     m_grown.clear();
@@ -350,7 +350,7 @@ Measure DistortionPanel::measure() const {
     return static_cast<Measure>(m_measure->currentData().toInt());
 }
 
-/// A measure that this dimension lacks is ignored.
+/// Ignores a measure that this dimension lacks.
 void DistortionPanel::setMeasure(Measure measure) {
     const int index = m_measure->findData(static_cast<int>(measure));
     if (index >= 0) m_measure->setCurrentIndex(index);

@@ -77,7 +77,7 @@ class DistortionPanel : public QWidget {
     const PoseWatch& watch() const { return m_watch; }
 
   signals:
-    /// The measure or its range changed.
+    /// Emitted when the measure or its range changes.
     void mapChanged();
     void showWorst();
     /// Requests a view of a place; z is 0 in pictures.
@@ -85,7 +85,7 @@ class DistortionPanel : public QWidget {
     void faultsChanged();
     void opacityChanged(double opacity);
     void smoothChanged(bool smooth);
-    /// The user has chosen one.
+    /// Emitted when the user chooses a measure.
     void mapChosen();
 
   private:

@@ -25,7 +25,7 @@ class MemorySlider : public QWidget {
     QSize sizeHint() const override;
 
   signals:
-    /// The user chose another one; the number is the same for all values of one gesture.
+    /// Emitted when the user chooses another memory; the number is the same for all values of one gesture.
     void memoryChosen(double memory, int gesture);
 
   protected:

@@ -80,7 +80,7 @@ bool CurvePanel::holdsPart() const {
     return many(m_session.gestures().pins(true)) || many(m_session.gestures().ghosts());
 }
 
-/// A disabled field explains why, first in its tooltip.
+/// Enables the fields for rotation and growth; a disabled one explains why in its tooltip.
 void CurvePanel::allowTurning(bool allow) {
     const QString why = dimension() == 2
                             ? tr("A point cannot rotate or grow – drag its ring, or give it a radius.")
@@ -90,7 +90,7 @@ void CurvePanel::allowTurning(bool allow) {
         wend::allow(control, allow, why);
 }
 
-/// The last one that has begun, or the first.
+/// Returns the last motion that has begun, or the first; −1 if there is none.
 int CurvePanel::shownMotion() const {
     const auto& motions = m_session.document().design().handles[single()].motions;
     int shown = motions.empty() ? -1 : 0;

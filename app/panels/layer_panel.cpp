@@ -345,7 +345,7 @@ void LayerPanel::choose() {
 
 // --- Values of the chosen layer ---
 
-/// A change that would empty the layer is ignored.
+/// Ignores a change that would empty the layer.
 void LayerPanel::changePaint() {
     MaterialPaint paint;
     if (m_hasPhi->isChecked()) paint.phi = m_phi->phi();

@@ -75,7 +75,7 @@ void paintOutline(QPainter& painter, const QRect& where, const std::vector<int>&
     painter.drawPolyline(line);
 }
 
-/// The values at the ends, which some may lie beyond.
+/// Return the values at the ends, marked if some cells are beyond them.
 QString lowText(Measure measure, const MeasureRange& range) {
     return (range.below ? QStringLiteral("≤ ") : QString()) + measureText(measure, range.low);
 }

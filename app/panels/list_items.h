@@ -18,7 +18,7 @@ QIcon layerSwatch(const MaterialPaint& paint, int dimension);
 /// Returns a square from black to white, for values that come from a picture or differ per cell.
 QIcon graySwatch();
 
-/// The layer of an item of a list; Id::None for none, or without an item.
+/// Store and return the layer of an item of a list; Id::None for none, or without an item.
 void setLayerOf(QListWidgetItem& item, Id layer);
 Id layerOf(const QListWidgetItem* item);
 

@@ -37,7 +37,7 @@ int verticesOf(int slider) {
 
 enum Aim { ByVertices, ByVolume };
 
-/// The largest cell that there is now, to two digits.
+/// Returns the size of the largest cell, rounded up to two digits.
 double largestCell(const PosedFrame<3>& frame) {
     double maximum = 0;
     for (const Cell<3>& cell : frame.rest->cells)

@@ -24,7 +24,7 @@ class MeshPanel : public QWidget {
 
   signals:
     void partChosen(int part);
-    /// A detailed surface for the solid is to be chosen, or taken away.
+    /// Request that a detailed surface for the solid be chosen, or removed.
     void detailWanted();
     void detailRemoved();
     /// Cell sizes are to be painted.

@@ -344,7 +344,7 @@ void PartList::fillChoices() {
          [&](int i) { return own.ridesOn.empty() && parts()[std::size_t(i)].ridesOn.empty(); });
 }
 
-/// The list is in the middle of the change.
+/// Defers the edit, because the list is in the middle of its own change.
 void PartList::takeItem(QListWidgetItem* item) {
     const int row = m_list->row(item);
     const std::string name = item->text().trimmed().toStdString();
@@ -393,7 +393,7 @@ void PartList::move(int by) {
     change(tr("Change order"), withPartMoved(parts(), from, to));
 }
 
-/// The mode of a file's layer is overruled; elsewhere normal need not be said.
+/// Overrides the blend mode of a file's layer; elsewhere the normal mode is not stored.
 void PartList::blend(int mode) {
     changeChosen(tr("Change blend mode"), [mode](PicturePart& own) {
         own.blend = kModes[static_cast<std::size_t>(mode)];

@@ -151,7 +151,7 @@ std::vector<int> PinList::handlesOf(const QTreeWidgetItem& item) const {
                           item.data(Name, kGroupRole).toString().toStdString());
 }
 
-/// The list does not change during a drag.
+/// Does nothing during a drag.
 void PinList::showPins() {
     if (m_showing || m_session.motion().isDragging()) return;
     m_showing = true;
@@ -302,7 +302,7 @@ void PinList::renamePin(int handle, const std::string& name) {
         renameHandle(document, tr("Rename"), handle, name);
 }
 
-/// A click on a sign applies to all that is selected, if its row is.
+/// Applies a click on a sign to all selected pins if its row is selected.
 bool PinList::takePress(const QMouseEvent& press) {
     const QModelIndex index = m_list->indexAt(press.position().toPoint());
     const QTreeWidgetItem* item = m_list->itemAt(press.position().toPoint());

@@ -31,7 +31,7 @@ class PinList : public QWidget {
     enum Column { Name, Link, Seen, Lock };
 
   signals:
-    /// The keyboard is for the view now.
+    /// Emitted to return the keyboard to the view.
     void done();
     /// Emitted to request the menu of the selection.
     void menuWanted(QPoint global);

@@ -278,7 +278,7 @@ void RegionList::showChosen() {
     tellChosen();
 }
 
-/// The list is in the middle of the change.
+/// Defers the edit, because the list is in the middle of its own change.
 void RegionList::rename(QListWidgetItem* item) {
     const Id id = layerOf(item);
     const std::string wish = item->text().trimmed().toStdString();

@@ -166,7 +166,7 @@ void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {
     emit repairShown(m_preview->isChecked());
 }
 
-/// The button stays in its place, disabled, where no hole is left.
+/// Disables the button if no larger hole is left, and never hides it.
 void SurfacePanel::tellOfHoles(const std::vector<int>& edges) {
     m_edges = edges.empty() ? 0 : *std::ranges::max_element(edges);
     const QString found =
@@ -201,7 +201,7 @@ void SurfacePanel::offer(QPushButton* button, bool offered) {
     button->setEnabled(offered);
 }
 
-/// The effect is part of the help text: it may arrive late and must not move anything.
+/// Shows the effect in the help text, because it may arrive late and must not move anything.
 void SurfacePanel::showFixOfAll(const QString& text, bool mayFix) {
     const QString help =
         tr("Fixes all of this kind that simple steps can, as one step of undo; of the holes, those with no "

@@ -29,7 +29,7 @@ const std::vector<SettleWindow>& settlingOf(const Project& project);
 /// Returns the integration options of every deformer of the project, including the end time.
 IntegrationOptions integrationOf(const Project& project);
 
-/// A project to be changed: an empty one, or one as `project` is.
+/// Return a project to be changed: an empty one, and a copy.
 std::shared_ptr<Project> newProject();
 std::shared_ptr<Project> copyOf(const Project& project);
 

@@ -84,7 +84,7 @@ Vec<Dim> combined(const Points<Dim>& pose, const std::vector<std::pair<int, doub
     return p;
 }
 
-/// The map that takes points to other places, by least squares.
+/// Returns the affine map that takes the points to their other places, by least squares.
 template <int Dim>
 AffineMap<Dim> mapBetween(const Points<Dim>& from, const Points<Dim>& to, const std::vector<int>& vertices) {
     Vec<Dim> a = Vec<Dim>::Zero(), b = Vec<Dim>::Zero();

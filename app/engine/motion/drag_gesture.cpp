@@ -17,7 +17,7 @@ constexpr double kLate = 0.02;              // seconds that weigh as much as the
 DragGesture::DragGesture(std::vector<int> handles, const Grip& grip, bool records)
     : m_handles(std::move(handles)), m_grip(grip), m_records(records), m_samples{{Amount::Zero()}} {}
 
-/// The drag began a tick before its first sample, and no two samples have one time.
+/// Lets the drag begin one tick before its first sample, and keeps the times of samples distinct.
 int DragGesture::add(const Amount& amount, double seconds) {
     m_newest = amount;
     if (m_samples.size() == 1) m_samples.front().seconds = seconds - kSampleTime;

@@ -141,7 +141,7 @@ class EditedMaterialOf : public EditedMaterial {
         frame->material = material;
         return frame;
     }
-    /// No stiffness is stiffness ×1.
+    /// Treats a missing stiffness as stiffness ×1.
     bool equals(const ShapeFrame& other) const override {
         const Material<Dim>& a = *m_frame->material;
         const Material<Dim>& b = *static_cast<const PosedFrame<Dim>&>(other).material;

@@ -40,7 +40,8 @@ double distanceFromRest(const PosedFrame<Dim>& frame, int cell) {
     return way.norm();
 }
 
-/// The area of an equilateral triangle is √3/4 a², the volume of a regular tetrahedron a³/(6√2).
+/// Returns the edge length of a regular cell of the same rest measure: the area of an equilateral triangle is
+/// √3/4 a², the volume of a regular tetrahedron a³/(6√2).
 template <int Dim>
 double cellSize(const PosedFrame<Dim>& frame, int cell) {
     const double measure = std::abs(cellMeasure<Dim>(frame.rest->points, frame.rest->cells[cell]));

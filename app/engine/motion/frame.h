@@ -137,9 +137,9 @@ PosedPtr<Dim> posed(const FramePtr& frame) {
     return std::static_pointer_cast<const PosedFrame<Dim>>(frame);
 }
 
-/// The same shape, standing for another time.
+/// Returns the frame with another time and the same shape.
 FramePtr atTime(const FramePtr& frame, double time);
-/// The same shape before it was bent.
+/// Returns the frame with its shape at rest.
 FramePtr atRest(const FramePtr& frame);
 
 }  // namespace wend

@@ -16,7 +16,7 @@ class FrameTrack {
     bool isEmpty() const { return m_frames.empty(); }
     double lastTime() const { return m_frames.empty() ? -1 : m_frames.back()->time; }
     const FramePtr& last() const { return m_frames.back(); }
-    /// The frame nearest to `time`; null if the track does not reach it yet.
+    /// Returns the frame nearest to `time`; null if the track does not reach it yet.
     FramePtr at(double time) const;
     const std::vector<FramePtr>& frames() const { return m_frames; }
 

@@ -29,8 +29,8 @@ class LiveDrag {
 
     /// Returns whether a drag of these handles can start without another analysis.
     bool fits(const Shape<Dim>& shape, const std::vector<Handle<Dim>>& handles) const;
-    /// A drag of some handles, by their index, from a pose that is that of a time. `handles`: all with the
-    /// motions that they have now; none: they have none.
+    /// Starts a drag of some handles, given by their indices, from a pose, which is the one at `time`.
+    /// `handles` are all handles with their current motions; if empty, they have none.
     void begin(std::vector<int> dragged, const Grip& grip, const Points<Dim>& pose,
                const std::vector<Handle<Dim>>& handles = {}, double time = 0);
     /// If a time is given, the other handles move to where they are then.

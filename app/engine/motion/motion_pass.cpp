@@ -30,8 +30,8 @@ State<Dim> restOf(const Shape<Dim>& shape) {
     return rest;
 }
 
-/// The time by the clock of `b` from which on two lists of windows differ, where the times of `a` are
-/// multiplied by the scale; or +infinity.
+/// Returns the time on the clock of `b` from which two lists of windows differ, with the times of `a`
+/// multiplied by the scale; +infinity if they never do.
 double firstDifference(const std::vector<SettleWindow>& a, const std::vector<SettleWindow>& b, double scale) {
     const auto same = [scale](const SettleWindow& x, const SettleWindow& y) {
         return scale == 1 ? x == y : sameTime(scale * x.start, y.start) && sameTime(scale * x.end, y.end);
@@ -40,7 +40,7 @@ double firstDifference(const std::vector<SettleWindow>& a, const std::vector<Set
     return std::min(i == a.end() ? kInfinity : scale * i->start, j == b.end() ? kInfinity : j->start);
 }
 
-/// The end counts where equal steps are spread over it.
+/// Compares the end times only if equal steps are spread over the whole time.
 bool sameIntegration(const Project& a, const Project& b) {
     const IntegrationOptions p = integrationOf(a), q = integrationOf(b);
     return sameSettings(a, b, Makes::Motion) && (p.steps == 0 || p.end == q.end) && p.threads == q.threads;

@@ -83,7 +83,7 @@ class MotionPass {
 
     bool isSet() const { return m_project != nullptr; }
     bool isFinished() const { return m_result.has_value(); }
-    /// How the motion ended; valid once it is finished.
+    /// Returns how the motion ended; valid once it is finished.
     const AdvanceResult& result() const { return *m_result; }
     /// Says whether an elastic shape has snapped; empty if it has not.
     Message snaps() const { return snapMessage(m_deformer->statistics().snaps, Dim); }

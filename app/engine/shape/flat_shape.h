@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// The picture of the domain, or null if it has none; with the notices of readImage().
+/// Returns the picture of the domain, or null if it has none; collects the notices of readImage().
 std::shared_ptr<const Image> loadPicture(const Domain& domain, const std::string& folder,
                                          std::vector<Message>* notices = nullptr);
 
@@ -19,7 +19,7 @@ Outline domainOutline(const Domain& domain, const Image& picture);
 /// Returns whether the mesher takes the point: inside by the even-odd rule, or on the border within rounding.
 bool isInOutline(const Outline& outline, const Vec2& p);
 
-/// The mesh of an outline; points of handles that are there from the start become vertices.
+/// Returns the mesh of an outline; points of handles that hold from the start become vertices.
 std::shared_ptr<const SimplicialMesh<2>> meshPicture(const Domain& domain, const Design& design,
                                                      const Outline& outline, std::stop_token stop = {});
 

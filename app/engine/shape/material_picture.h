@@ -27,7 +27,7 @@ struct PictureFrame {
 };
 /// `width` and `height`: of the picture that is the domain; 0: of a mesh.
 PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest);
-/// The same without a scene; reads the picture's header or the mesh. Throws InputError.
+/// Does the same without a scene; reads the picture's header or the mesh. Throws InputError.
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder);
 
 /// Gray and alpha in 16 bits; transparent where the shape is not.

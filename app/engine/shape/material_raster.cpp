@@ -27,7 +27,7 @@ void requireCount(const char* key, std::size_t count, int cells) {
                      " entries, but the mesh has " + std::to_string(cells) + " cells");
 }
 
-/// The values per cell, from the spec or the file that it names.
+/// Returns the spec with its values per cell, read from the file that it names if there is one.
 MaterialSpec withCells(MaterialSpec spec, const std::string& folder, int cells, int dimension) {
     const bool fromFile = !spec.cellsFile.empty() && spec.cellPhi.empty() && spec.cellB.empty();
     const std::string path = fromFile ? pathIn(folder, spec.cellsFile) : std::string();
@@ -53,7 +53,7 @@ class Centres {
             m_boxes.push_back({block.rowwise().minCoeff(), block.rowwise().maxCoeff()});
         }
     }
-    /// The cells that a region reaches with its soft edge, with how far they belong to it.
+    /// Calls `take` for the cells that a region and its soft edge reach, with their degree of membership.
     template <class Take>
     void forCellsIn(const MaterialRegion& region, const Take& take) const {
         const auto [begin, end] = cellsOf(region.part);
@@ -158,7 +158,7 @@ class LayerRaster {
             m_material.anisotropy[c] = (1 - m) * m_material.anisotropy[c] + m * B;
         });
     }
-    /// The axis of every cell is the wall's normal at the place nearest to its centroid.
+    /// Aligns the axis of every cell near the wall with the normal at the wall's nearest point.
     void layAlongWall(const MaterialRegion& region, Stiffness stiffness) {
         const WallNormals<Dim> wall(*stiffness.facets);
         m_centres.forCellsIn(region, [&](int c, double m) {

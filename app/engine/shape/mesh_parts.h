@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// The cells that are connected with one through facets, increasing.
+/// Returns the cells that are connected with one through facets, in increasing order.
 template <int Dim>
 std::vector<int> partOf(const SimplicialMesh<Dim>& mesh, int cell);
 
@@ -20,7 +20,7 @@ std::string partNameOf(const std::vector<MeshPart>& parts, int cell);
 template <int Dim>
 Region<Dim> regionAround(const SimplicialMesh<Dim>& mesh, const std::vector<int>& cells);
 
-/// A region that holds the whole shape.
+/// Returns a region that holds the whole shape.
 template <int Dim>
 Region<Dim> regionOfAll(const SimplicialMesh<Dim>& mesh);
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kGap = 8;  // transparent pixels around the cut
 
-/// How far a point is inside the cut, in [0, 1].
+/// Returns how far a point is inside the cut, in [0, 1].
 float cutAt(const PicturePart& part, const Vec2& p) {
     double inside = 0;
     for (const auto& loop : part.cut.loops) {
@@ -33,7 +33,7 @@ float cutAt(const PicturePart& part, const Vec2& p) {
     return static_cast<float>(inside);
 }
 
-/// The mean of the cut over a pixel, by 4 × 4 places where its border is near.
+/// Returns the mean of the cut over a pixel, from 4 × 4 samples near the border.
 float cutOver(const PicturePart& part, const Vec2& centre) {
     constexpr int kPlaces = 4;
     double nearest = INFINITY;
@@ -47,7 +47,7 @@ float cutOver(const PicturePart& part, const Vec2& centre) {
     return sum / (kPlaces * kPlaces);
 }
 
-/// The pixels of a picture that a cut may take something of, with a gap around them.
+/// Returns the box of pixels that a cut may touch, with a gap around it.
 PixelBox boxOf(const PicturePart& part, const Sheet& from) {
     Vec2 low = Vec2::Constant(INFINITY), high = -low;
     for (const auto& loop : part.cut.loops)
@@ -61,7 +61,7 @@ PixelBox boxOf(const PicturePart& part, const Sheet& from) {
         picture.width, picture.height);
 }
 
-/// How much of each pixel of a box a cut takes.
+/// Returns the share of each pixel of a box that a cut takes.
 std::vector<float> sharesIn(const PicturePart& part, const Vec2& at, const PixelBox& box) {
     std::vector<float> shares;
     shares.reserve(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
@@ -99,7 +99,7 @@ Image withShares(const Image& piece, const std::vector<float>& shares) {
     });
 }
 
-/// The cut is left transparent.
+/// Cuts the box out and leaves it transparent.
 CutPictures cutOpen(const Sheet& from, const PixelBox& box, std::vector<float> shares) {
     const Image piece = pieceOf(*from.picture, box);
     CutPictures pictures;
@@ -112,7 +112,7 @@ CutPictures cutOpen(const Sheet& from, const PixelBox& box, std::vector<float> s
     return pictures;
 }
 
-/// The ground of a box: the picture without what the cut takes.
+/// Returns the picture in a box with what the cut takes filled in.
 Image groundIn(const Image& picture, const PixelBox& box, const std::vector<float>& shares,
                const std::stop_token& stop) {
     PixelLayout floats = layoutOf(picture);

@@ -118,7 +118,8 @@ class PartedShape {
         }
     }
 
-    /// The frontmost part with a mesh that has the place; none: the number of parts.
+    /// Returns the frontmost part with its own mesh that contains the place, or the number of parts if none
+    /// does.
     std::size_t frontmostAt(const Vec2& p) const {
         std::size_t i = 0;
         while (i < parts().size() && !(parts()[i].ridesOn.empty() && isInOutline(m_cache.outlines[i], p)))
@@ -126,7 +127,7 @@ class PartedShape {
         return i;
     }
 
-    /// The design of one part alone: handles with the points that are in it, and its joints.
+    /// Returns the design of one part alone: its joints, and handles with the points that are in it.
     Design designOf(std::size_t part) const {
         Design own;
         const auto add = [&](const std::vector<Vec3>& points, double from) {
@@ -239,7 +240,7 @@ class PartedShape {
 
     // --- What is drawn ---
 
-    /// The part with a mesh that a part follows.
+    /// Returns the part with a mesh that a part follows.
     const MeshPart& hostOf(std::size_t part) const {
         while (!parts()[part].ridesOn.empty()) part = placeOf(parts()[part].ridesOn);
         return *std::ranges::find(m_shape.rest->parts, parts()[part].name, &MeshPart::name);
@@ -259,7 +260,7 @@ class PartedShape {
                           [this](const MeshPart& part) { return placeOf(part.name); });
     }
 
-    /// Each vertex has its place in the atlas.
+    /// Moves each vertex to its place in the atlas.
     SimplicialMesh<2> inAtlas(SimplicialMesh<2> drawn) const {
         for (const MeshPart& part : drawn.parts) {
             const std::size_t i = placeOf(part.name);
@@ -270,7 +271,7 @@ class PartedShape {
         return drawn;
     }
 
-    /// The same one as long as the sheets are the same: windows prepare it.
+    /// Makes a new atlas only if the sheets have changed, because windows prepare each new one.
     void makeCachedAtlas() {
         if (m_cache.atlas && m_cache.atlasOf == m_cache.pictures.sheets) return;
         Atlas atlas = makeAtlas(m_cache.pictures.sheets);

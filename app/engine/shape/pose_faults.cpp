@@ -82,7 +82,7 @@ Facets<Dim> sewn(const Facets<Dim>& border, const Points<Dim>& rest) {
     return result;
 }
 
-/// The part that a vertex belongs to. Parts may cross one another.
+/// Returns the index of the part that a vertex belongs to.
 int partOfVertex(const std::vector<MeshPart>& parts, int vertex) {
     return static_cast<int>(std::ranges::find_if(parts,
                                                  [&](const MeshPart& part) {

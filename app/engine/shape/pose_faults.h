@@ -36,7 +36,7 @@ struct PoseFaults {
     int cells() const;
 };
 
-/// The border is that of the cells, or the surface that a cage carries.
+/// Finds faults of the cells, and crossings of the cells' border or of the surface that a cage carries.
 template <int Dim>
 PoseFaults<Dim> faultsOf(const Shape<Dim>& shape, const Points<Dim>& pose);
 

@@ -102,8 +102,8 @@ Points3 inSpace(const Shape<Dim>& shape, const Points3& points, const Points<Dim
         return moved;
 }
 
-/// The mesh that is drawn, at rest in pixels of the picture, and in a pose in the plane that is rendered.
-/// Both are in domain coordinates if there is no picture.
+/// Return the mesh that is drawn: at rest in pixels of the picture, and in a pose in the plane that is
+/// rendered. Both are in domain coordinates if there is no picture.
 const SimplicialMesh<2>& restInPixels(const Shape<2>& shape);
 Points2 inPixels(const Shape<2>& shape, const Points2& pose);
 
@@ -114,7 +114,7 @@ std::shared_ptr<const SimplicialMesh<2>> drawnRest(const Shape<2>& shape);
 /// Returns the rest mesh in the pixels that ST maps refer to: of the picture, or of its parts at rest.
 const SimplicialMesh<2>& sourceRest(const Shape<2>& shape);
 
-/// The size of the plane that is rendered, in pixels; the shape has a picture.
+/// Returns the size of the plane that is rendered, in pixels; the shape must have a picture.
 std::array<int, 2> canvasSize(const Shape<2>& shape);
 
 }  // namespace wend

@@ -36,8 +36,8 @@ bool sameOutline(const Project& a, const Project& b) {
            sameParts(p.parts, q.parts);
 }
 
-/// The points that become vertices of the mesh, and their parts: those of handles that are there from the
-/// start.
+/// Returns the points that become vertices of the mesh, those of handles that hold from the start, with the
+/// names of their parts.
 std::vector<std::pair<std::string, Vec2>> startPoints(const ShapeInputs& inputs) {
     std::vector<std::pair<std::string, Vec2>> points;
     for (const Pin& handle : designOf(inputs).handles)

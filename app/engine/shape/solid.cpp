@@ -153,8 +153,8 @@ void tellOfCage(const Domain& domain, const Cage& cage, const Message& why, Advi
     tellOfGaps(domain, cage, solid);
 }
 
-/// A cage of even cells that a surface is embedded in; `why` says why it was chosen by itself, and is empty
-/// if it was asked for. Throws InputError, Cancelled.
+/// Makes a cage of even cells that a surface is embedded in; `why` is the reason for an automatic choice, and
+/// is empty if a cage was asked for. Throws InputError, Cancelled.
 Shape<3> cagedSolid(const Domain& domain, const std::shared_ptr<const Skin>& skin, const Message& why,
                     std::stop_token stop, Advice advice) {
     CageOptions options;
@@ -394,7 +394,8 @@ Shape<3> exactSolid(const Domain& domain, const std::shared_ptr<const Skin>& ski
     return solid;
 }
 
-/// The exact surface, or a cage around it: as asked for, or else where the exact one does not do.
+/// Meshes the exact surface or a cage around it, as asked for; by default falls back to the cage where the
+/// exact mesh fails.
 Shape<3> fromSurface(const Domain& domain, const Design& design, const std::string& folder,
                      const std::stop_token& stop, Advice advice) {
     const auto skin = std::make_shared<const Skin>(readSkin(pathIn(folder, domain.path)));

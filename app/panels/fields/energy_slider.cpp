@@ -106,7 +106,7 @@ void EnergySlider::makeStop(int stop) {
         m_samples[stop] = QIcon(QStringLiteral(":/wend/keep/%1.png").arg(QLatin1String(kPictures[stop])));
 }
 
-/// The colour that it is painted with.
+/// Returns an icon in the colour that a stop is painted with.
 QIcon EnergySlider::swatch(int stop) const {
     QPixmap pixmap(2 * kSwatchSize);
     pixmap.setDevicePixelRatio(2);
@@ -252,7 +252,7 @@ int EnergySlider::tileWidth() const {
     return (width() - (EnergyScale::kStops - 1) * kTileGap) / EnergyScale::kStops;
 }
 
-/// The middle of a stop: of its tile, if it has one.
+/// Returns the middle of a stop, or of its tile in a row of tiles.
 int EnergySlider::stopX(int stop) const {
     if (m_stops == Stops::Tiles) return stop * (tileWidth() + kTileGap) + tileWidth() / 2;
     const double span = width() - kKnob;

@@ -45,7 +45,7 @@ class EnergySlider : public QWidget {
   signals:
     /// Emitted when the pointer rests on a tile; NaN when it leaves.
     void hovered(double phi);
-    /// The user chose another φ; the number is the same for all values of one gesture.
+    /// Emitted when the user chooses another φ; the number is the same for all values of one gesture.
     void phiChosen(double phi, int gesture);
 
   protected:

@@ -93,7 +93,7 @@ void OptionField::makeChoice() {
     connect(m_choice, &QComboBox::currentIndexChanged, this, &OptionField::changed);
 }
 
-/// The last entry opens a colour dialog; cancelling restores the previous choice.
+/// Lets the last entry open a colour dialog; cancelling restores the previous choice.
 void OptionField::letColourBeChosen() {
     const int other = m_choice->count() - 1;
     m_choice->setItemData(other, QStringLiteral("#808080"));
@@ -154,7 +154,7 @@ void OptionField::setRange(const Range& range) {
     if (m_number && !m_option.row.anySize) limitNumber();
 }
 
-/// An open end is one digit away; infinite ends are limited by the box.
+/// Keeps the number one digit away from an open end; the box limits infinite ranges.
 void OptionField::limitNumber() {
     constexpr double kMostShown = 1e9;
     const double digit = std::pow(0.1, m_number->decimals()), factor = m_option.row.factor;
@@ -197,7 +197,7 @@ double OptionField::number() const {
     return m_integer ? m_integer->value() : m_number->exact() / m_option.row.factor;
 }
 
-/// A number that is too small for the digits of the row gets more of them.
+/// Shows more digits for a number that is too small for those of the row.
 void OptionField::setNumber(double number) {
     const QSignalBlocker quiet(focusProxy() ? focusProxy() : this), also(this);
     if (m_check) m_check->setChecked(number != 0);

@@ -41,7 +41,7 @@ PanelFields::PanelFields(QWidget& panels) : QObject(&panels) {
     }
 }
 
-/// A field may lose the keyboard while it takes its number, and would then select it.
+/// Removes the selection that a field makes if it loses the keyboard while it takes its number.
 void PanelFields::selectOnlyWithKeyboard(QLineEdit& text) {
     connect(&text, &QLineEdit::selectionChanged, this, [&text] {
         if (text.hasSelectedText() && !text.hasFocus()) text.deselect();
@@ -64,7 +64,7 @@ bool PanelFields::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-/// The field first, so that it knows its number.
+/// Passes the key to the field first, so that it takes its number.
 void PanelFields::takeEnter(QObject& field, QKeyEvent& key) {
     field.event(&key);
     key.accept();

@@ -19,8 +19,7 @@ namespace wend {
 
 class ExactBox;
 
-/// The recurring parts of the properties on the right: a titled section, a labelled row, a quiet line of
-/// text.
+/// Make the recurring parts of the properties on the right: the title of a section, a quiet label, a line.
 QLabel* panelTitle(const QString& text, QWidget* parent);
 QLabel* secondLabel(const QString& text, QWidget* parent);
 QFrame* panelLine(QWidget* parent);
@@ -35,14 +34,14 @@ QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets);
 /// Returns a row with a label on the left and a control on the right; the label's mnemonic activates the
 /// control. Number boxes share one width.
 QHBoxLayout* panelRow(const QString& label, QWidget* control, QWidget* parent);
-/// The same in a widget that can be hidden.
+/// Does the same in a widget that can be hidden.
 QWidget* panelRowIn(const QString& label, QWidget* control, QWidget* parent);
 /// Makes a box as wide as its longest translated entry, and at least `least`.
 void fitToEntries(QComboBox* box, int least = kControlWidth);
 /// Makes boxes for three coordinates side by side, each limited to ±`limit`.
 std::array<ExactBox*, 3> coordinateBoxes(double limit, int decimals, const QString& name, const QString& help,
                                          QWidget* parent);
-/// A line of two columns, for a table in a label; the value is HTML.
+/// Returns a line of two columns, for a table in a label; the value is HTML.
 QString tableLine(const QString& name, const QString& value);
 /// Returns a label without its mnemonic: "Pin" for "&Pin", "ピン" for "ピン(&P)".
 QString withoutKey(QString label);

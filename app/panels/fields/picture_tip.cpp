@@ -22,7 +22,7 @@ constexpr double kSharp = 2;        // pixels of the drawing to one of these
 constexpr std::array<const char*, EnergyScale::kStops> kEnergies = {"energy-area", "energy-length",
                                                                     "energy-rigid", "energy-angle"};
 
-/// The drawings have three tones: ink, muted and accent.
+/// Replaces the three tones of a drawing by the palette's colours for text, secondary text and accents.
 QByteArray inColours(QByteArray svg, const QPalette& palette) {
     const Theme theme = Theme::of(palette);
     svg.replace("#000000", palette.color(QPalette::WindowText).name().toLatin1());

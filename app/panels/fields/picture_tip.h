@@ -15,7 +15,7 @@ struct TipPicture {
     QString caption;
 };
 
-/// The tooltip of the widget shows these below its words, in the colours of the window, light or dark.
+/// Shows the pictures below the text of the widget's tooltip, in the colours of the window, light or dark.
 void showInTip(QWidget* widget, std::function<QList<TipPicture>()> pictures);
 /// Returns the tooltip as rich text with the drawings.
 QString tipWithPictures(const QString& words, const QList<TipPicture>& pictures, const QPalette& palette);
@@ -23,13 +23,13 @@ QString tipWithPictures(const QString& words, const QList<TipPicture>& pictures,
 /// Pictures of a stretched square for the four energies, or for one of them.
 QList<TipPicture> energyPictures(int dimension);
 TipPicture energyPicture(int stop);
-/// A pull that reaches not far, and one that does.
+/// Returns a pull that does not reach far, and one that does.
 QList<TipPicture> reachPictures();
-/// A bar that is pulled, soft all over, and with a part that is stiff.
+/// Returns a bar that is pulled, soft all over, and with a stiff part.
 QList<TipPicture> stiffnessPictures();
-/// A strip whose end was moved in a circle.
+/// Returns a strip whose end was moved in a circle.
 QList<TipPicture> memoryPictures();
-/// A shape after its pins were moved, and after it has relaxed.
+/// Returns a shape after its pins were moved, and after it has relaxed.
 QList<TipPicture> relaxPictures();
 
 }  // namespace wend

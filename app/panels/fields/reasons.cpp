@@ -15,7 +15,7 @@ void allow(QWidget* widget, bool allowed, const QString& whyNot) {
     widget->setStatusTip(whyNot);
 }
 
-/// The help text is kept in the property in which describe() stored it.
+/// Keeps the help text in the property in which describe() stored it.
 void allow(QAction* action, bool allowed, const QString& whyNot) {
     constexpr auto kHelp = "help";
     if (!action->property(kHelp).isValid()) action->setProperty(kHelp, action->statusTip());

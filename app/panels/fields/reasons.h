@@ -12,7 +12,7 @@ namespace wend {
 void allow(QWidget* widget, bool allowed, const QString& whyNot);
 /// Does the same for an entry of a menu.
 void allow(QAction* action, bool allowed, const QString& whyNot);
-/// The reason where something acts on an entry of a list, and none is chosen.
+/// Returns the reason for a disabled command that needs an entry of a list, if none is chosen.
 QString chooseFirst();
 
 }  // namespace wend

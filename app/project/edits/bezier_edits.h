@@ -12,7 +12,7 @@ namespace wend {
 /// opposite directions is aligned, and automatic if they also equal automaticArms().
 enum class JointKind { Free, Aligned, Automatic };
 
-/// The joint (0, 1, … k) that a control point of a chain of 3k + 1 is or belongs to.
+/// Returns the joint (0, 1, … k) that a control point of a chain of 3k + 1 is or belongs to.
 inline int jointOf(int point) {
     return (point + 1) / 3;
 }
@@ -49,11 +49,12 @@ struct DrawnJoint {
 /// neighbour, so that the motion does not stop there.
 std::vector<Vec3> bezierThrough(const std::vector<DrawnJoint>& joints);
 
-/// The curve that a motion follows, as pieces in the order of its points.
+/// Returns the curve that a motion follows, as pieces in the order of its points.
 Curve<3> curveOf(const CurveMotion<3>& motion);
 /// Returns the piece that starts at a point or contains it; the last piece for the end.
 int pieceBehind(const CurveMotion<3>& motion, int point);
-/// A point more at v of a piece: exactly on the curve; a spline's shape changes a little.
+/// Returns the curve with another point at v of a piece, exactly on the curve; the shape of a spline changes
+/// a little.
 CurveMotion<3> withPointOn(CurveMotion<3> motion, int piece, double v);
 /// Returns the curve without a point (of a Bézier chain, without its joint); nothing for the first point, or
 /// if too few would remain.

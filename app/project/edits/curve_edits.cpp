@@ -10,8 +10,8 @@ namespace wend {
 
 namespace {
 
-/// The cubic Bézier curve with the stroke's ends that is nearest to its points, by least squares over the
-/// inner control points at the stroke's own times: Σ |B(tᵢ) − pᵢ|² → min.
+/// Returns the cubic Bézier curve with the stroke's ends that is nearest to its points, by least squares over
+/// the inner control points at the stroke's own times: Σ |B(tᵢ) − pᵢ|² → min.
 std::vector<Vec3> fitted(const Recorded<3>& stroke) {
     const Vec3 a = stroke.points.front(), d = stroke.points.back();
     const double start = stroke.times.front(), span = stroke.times.back() - start;

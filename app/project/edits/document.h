@@ -44,7 +44,7 @@ class Document : public QObject {
     const Design& design() const;
     const ValueLayers& depth() const;
     double end() const;
-    /// The up axis; has a default while the document is empty.
+    /// Returns the up axis, or a default one while the document is empty.
     UpAxis up() const;
     const std::shared_ptr<const Image>& picture() const { return m_picture; }
     /// Keeps a picture for projects that name this file and this reading of it, so that undo finds it. Call
@@ -58,7 +58,7 @@ class Document : public QObject {
     QString folder() const;
     /// Returns the name of the project file or, until there is one, of the opened picture, mesh or sample.
     QString displayName() const;
-    /// The file that was opened.
+    /// Returns the file that was opened.
     const QString& source() const { return m_source; }
     QUndoStack* undoStack() { return &m_undo; }
     bool isModified() const { return !m_undo.isClean(); }

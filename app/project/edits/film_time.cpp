@@ -128,7 +128,8 @@ PoseMotion<3> upTo(const PoseMotion<3>& motion, double u) {
     return result;
 }
 
-/// A spline that ends early is another spline: from now on it is a chain of the same cubics.
+/// Returns the control points of a chain of the same cubics: a spline that ended early would be another
+/// spline.
 std::vector<Vec3> bezierPoints(const Curve<3>& curve) {
     std::vector<Vec3> points = {curve.pieces.front().value(0)};
     for (const CurvePiece<3>& piece : curve.pieces) {
@@ -159,7 +160,7 @@ CurveMotion<3> upTo(const CurveMotion<3>& motion, double u) {
     return result;
 }
 
-/// A cut easing is none of the four; only `in` stays valid.
+/// Cuts a motion at a time. A cut easing is none of the four, so only `in` is kept.
 PinMotion endedAt(const PinMotion& motion, double time) {
     const double u = ease(motion.ease, (time - motion.start) / (motion.end - motion.start));
     PinMotion result = motion;

@@ -25,8 +25,8 @@ Project endedAt(const Project& project, double time);
 /// Cuts the motions of one handle at a time.
 void endMotionsAt(Pin& handle, double time);
 
-/// The same poses by another clock: every time is mapped by the two straight lines [0, from] → [0, to] and
-/// [from, end] → [to, end].
+/// Returns the project with the same poses at other times, mapped by the straight lines [0, from] → [0, to]
+/// and [from, end] → [to, end].
 Project withTimesMoved(Project project, double from, double to);
 /// Returns the project with the same poses in a film of another length.
 Project withLength(Project project, double length);

@@ -111,7 +111,7 @@ void easeAs(const PinMotion& whole, double even, double time, std::vector<PinMot
     }
 }
 
-/// The displacements times a factor, plus a common one.
+/// Returns the displacements times a factor, plus a common one.
 FieldMotion<3> scaledField(const FieldMotion<3>& field, double factor, const Vec3& by) {
     auto values = *field.values;
     for (auto& [vertex, displacement] : values) displacement = factor * displacement + by;

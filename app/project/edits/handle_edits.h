@@ -28,7 +28,8 @@ double motionEnd(const Project& project);
 bool takesTheEnd(const Project& project, double from);
 /// Returns whether the handle acts at time t; one that ends at t does not.
 bool isActive(const Pin& handle, double t);
-/// A handle that holds from a time on; from the start if nothing has moved by then.
+/// Returns the design with a handle that holds from a time on, or from the start if nothing has moved by
+/// then.
 Design withHandle(const Design& design, Placement<3> at, const std::string& name, double time = 0,
                   const std::string& part = {});
 /// Other names for its handles and layers; the same project where none differs.
@@ -67,7 +68,7 @@ struct Gesture {
 /// in parallel, too, keeps its duration, and lengthens the film if necessary. The first motion of all gives
 /// the film the recording's length.
 Project withGesture(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts);
-/// A move at the end of the motion, by offsets of which the first is zero.
+/// Returns the project with a move at the end of the motion, by offsets of which the first is zero.
 Project withStroke(const Project& project, const std::vector<int>& handles, const std::vector<Vec3>& starts,
                    const std::vector<Vec3>& offsets);
 /// Puts another offset at the end of the last motion of the handles, which was a move, at the end of the film
@@ -75,8 +76,8 @@ Project withStroke(const Project& project, const std::vector<int>& handles, cons
 Project withLongerStroke(const Project& project, const std::vector<int>& handles, const Vec3& step,
                          double arm = 1, bool atTheEnd = true);
 
-/// The points that are needed for a polyline within `tolerance` of the given one (Douglas and Peucker); ends
-/// are kept, neighbours that coincide are merged.
+/// Returns the points that are needed for a polyline within `tolerance` of the given one (Douglas and
+/// Peucker); ends are kept, coincident neighbours are merged.
 template <int Size>
 std::vector<Vec<Size>> simplified(const std::vector<Vec<Size>>& path, double tolerance);
 

@@ -48,7 +48,7 @@ Ease easeWith(bool start, bool end) {
     return start ? (end ? Ease::InOut : Ease::In) : (end ? Ease::Out : Ease::Linear);
 }
 
-/// The nearest keys of the handle that do not move along, or the limits of its time.
+/// Returns the times of the handle's nearest keys that do not move along, or the limits of its time.
 MotionTime roomOf(const Design& design, const KeyId& key, const std::vector<KeyId>& along) {
     const Pin& own = design.handles.at(static_cast<std::size_t>(key.handle));
     MotionTime room{std::max(0.0, own.activeFrom), own.activeTo};
@@ -122,7 +122,7 @@ void holdKey(Pin& handle, double time) {
     }
 }
 
-/// The place of a handle's point, which begins somewhere.
+/// Returns the place at a time of a handle's point that starts at `start`.
 Vec3 placeAt(const Pin& handle, double time, const Vec3& start) {
     return HandleTimeline<3>(handleIn<3>(handle)).bodyAt(time, Side::Before).position(start);
 }

@@ -12,10 +12,10 @@
 
 namespace wend {
 
-/// The parts of a picture in another order: the one at `from` comes to the place `to`.
+/// Returns the parts of a picture with the one at `from` moved to the place `to`.
 std::vector<PicturePart> withPartMoved(std::vector<PicturePart> parts, int from, int to);
 
-/// A project in which a part has another name, wherever it is named: by joints, riders, cuts and handles.
+/// Returns the project with another name of a part, also in joints, riders, cuts and handles.
 std::shared_ptr<const Project> withPartName(const Project& project, int part, const std::string& name);
 
 /// An area of a part that becomes a part of its own.
@@ -28,7 +28,7 @@ struct NewPart {
     std::optional<Box<3>> heldGround;  // what a new handle holds of the other one
 };
 
-/// A project with a new part in front of the one that it is cut from, which is filled behind it.
+/// Returns the project with a new part in front of the one that it is cut from, which is filled behind it.
 std::shared_ptr<const Project> withNewPart(const Project& project, const NewPart& made);
 
 int partCount(const Project& project);

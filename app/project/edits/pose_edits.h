@@ -23,8 +23,8 @@ bool poseAt(Pin& handle, const Vec3& place, const Vec3& by, double time);
 std::optional<Project> withPose(const Project& project, const Gesture& gesture,
                                 const std::vector<Vec3>& starts);
 
-/// The same after all motion: the film becomes longer by `length`, in which the handles move to their new
-/// places; all times that there were stay.
+/// Does the same after all motion: the film becomes longer by `length`, in which the handles move to their
+/// new places; all earlier times stay.
 Project withPoseAppended(const Project& project, const Gesture& gesture, const std::vector<Vec3>& starts,
                          double length = 1);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSameShare = 1e-12;  // of the way: what rounding may change
 constexpr int kWaySamples = 64;       // of a way that is no straight line
 
-/// The weights of the inner points of a cubic.
+/// Returns the weights of the inner control points of a cubic Bézier curve.
 std::array<double, 2> innerWeights(double s) {
     return {3 * s * (1 - s) * (1 - s), 3 * s * s * (1 - s)};
 }
@@ -35,7 +35,7 @@ bool isPlain(const CurveMotion<3>& curve) {
     return curve.frame == FrameKind::None && curve.twist == 0 && curve.scale == 1;
 }
 
-/// The lengths of a path up to its points.
+/// Returns the lengths of a path up to its points.
 std::vector<double> lengthsAlong(const OffsetPath& path) {
     std::vector<double> lengths = {0};
     for (std::size_t i = 1; i < path.offsets.size(); ++i)

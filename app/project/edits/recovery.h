@@ -18,7 +18,7 @@ struct LostWork {
     QString source;  // the file that had been opened
     QDateTime time;  // of the last change in the copy
 };
-/// The name of the file that it is of.
+/// Returns the name of the file that was being edited.
 QString nameOf(const LostWork& work);
 
 /// Keeps a copy of a changed document in a folder of its own until it is saved or closed, so that a crash
@@ -40,9 +40,9 @@ class Recovery : public QObject {
     QString copy() const;
 
   signals:
-    /// The copy is up to date.
+    /// Emitted when the copy is up to date.
     void written();
-    /// The copy could not be written; said once per document.
+    /// Emitted once per document if the copy cannot be written.
     void failed(QString why);
 
   private:

@@ -32,7 +32,7 @@ RotationVector<3> rotationOf(const Mat3& A, const RotationVector<3>& before) {
     return {0, 0, angle + turn * std::round((before.z() - angle) / turn)};
 }
 
-/// The times of the poses: even ones, and corners, where the velocity jumps.
+/// Returns the times of the poses: evenly spaced ones, and corners, where the velocity jumps.
 std::set<double> poseTimes(const MotionTime& part, const std::vector<double>& corners) {
     const double step = (part.end - part.start) / kRigidPoses;
     std::set<double> times = {part.start, part.end};

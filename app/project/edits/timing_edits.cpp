@@ -19,7 +19,7 @@ Design edited(Design design, int handle, const Edit& edit) {
     return design;
 }
 
-/// A straight move along a curve of progress becomes an eased one.
+/// Sets the easing. A straight move along a curve of progress becomes an eased one.
 void setEase(PinMotion& motion, Ease ease) {
     if (straightProgress(motion)) motion.kind = Translate<3>{*offsetOf(motion)};
     motion.ease = ease;

@@ -25,7 +25,7 @@ ValueLayers withDepthStroke(ValueLayers depth, std::vector<SoftRegion> stroke, d
 /// one, up to a fraction of that size.
 ValueLayers withHandleDepth(ValueLayers depth, const Design& design, const std::vector<int>& handles,
                             double order, double size);
-/// The order that the handle of a name has given; nothing if none.
+/// Returns the order that withHandleDepth() gave to the handle of that name, if it did.
 std::optional<double> depthOfHandle(const ValueLayers& depth, const std::string& name);
 
 }  // namespace wend

@@ -209,8 +209,8 @@ Mat3 checkedAnisotropy(const std::vector<double>& numbers, const JsonValue& valu
     return B;
 }
 
-/// One matrix per cell, each a list or a list of rows; or the numbers of all of them in one list, so many for
-/// each as a matrix has if that can be, else as a symmetric one has.
+/// Reads one matrix per cell, each a list or a list of rows, or the numbers of all in one list: full matrices
+/// if their count allows it, else symmetric ones.
 std::vector<Mat3> readAnisotropies(const JsonValue& value) {
     std::vector<Mat3> all;
     const bool isPlain = value.json().is_array() && !value.json().empty() && value.json().front().is_number();
@@ -290,7 +290,7 @@ void requireRegion(const JsonValue& region) {
     }
 }
 
-/// A place that is named is found later.
+/// Reads a place; a named one is resolved later.
 Placement<3> readPlacement(const JsonValue& value, Pin& handle) {
     JsonObject object(value);
     if (auto part = object.find("part")) handle.part = part->text();

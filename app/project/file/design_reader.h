@@ -7,9 +7,9 @@
 
 namespace wend {
 
-/// The parts of a project that have coordinates. The design must be of that dimension.
+/// Reads the material, whose coordinates have the dimension of the design.
 void readMaterial(const JsonValue& value, Project& project);
-/// A handle; a motion without a time window takes [0, end].
+/// Reads a handle; a motion without a time window takes [0, end].
 Pin readHandle(const JsonValue& value, double end);
 /// Reads a region: {"polygon": …}, {"circle": …} …
 Region<3> readRegion(const JsonValue& value);

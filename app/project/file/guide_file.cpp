@@ -11,7 +11,8 @@ namespace {
 
 using Segment = std::array<int, 2>;
 
-/// The nodes of lines run from end to end; those of second order have their middle node last.
+/// Returns the segments of lines, whose nodes run from end to end; lines of second order have their middle
+/// node last.
 std::vector<Segment> linesOf(const CellList& cells) {
     std::vector<Segment> segments;
     for (int c = 0; c < cells.size(); ++c) {

@@ -29,7 +29,7 @@ class JsonValue {
     JsonValue member(const std::string& key) const;
     /// Returns the elements of a list.
     std::vector<JsonValue> elements() const;
-    /// The same value, with the unknown keys in and below it kept in `extras`.
+    /// Returns the same value, which keeps the unknown keys in and below it in `extras`.
     JsonValue ownedBy(Extras& extras) const;
     /// Keeps a key that is not known and warns about it. `near`: the known key that it resembles, if any.
     void keepUnknown(const std::string& key, const std::string& near = {}) const;
@@ -53,7 +53,7 @@ class JsonValue {
     }
     std::vector<double> numbers() const;
 
-    /// The number of coordinates of points in and below this value.
+    /// Returns the number of coordinates of points in and below this value.
     int dimension() const { return m_dimension; }
     JsonValue ofDimension(int dimension) const;
     /// Returns a point; in the plane its z is 0.
@@ -81,7 +81,7 @@ class JsonObject {
     JsonValue require(const std::string& key);
     std::optional<JsonValue> find(const std::string& key);
     bool has(const std::string& key) const;
-    /// The one of these keys that is there; fails if none or several are.
+    /// Returns the one of these keys that is there; fails if none or several are.
     std::string oneOf(const std::vector<std::string>& keys) const;
     /// Fails because none of these keys is there: with the one that is misspelt, if there is such a one, else
     /// as `what` says.

@@ -25,7 +25,7 @@ Displacements<3> readDisplacements(const std::string& path, const std::string& a
 /// and reason).
 PoseMotion<3> readPoseTable(const std::string& path, int dimension);
 
-/// The file that a motion is read from; null for one that is in the project itself.
+/// Returns the file that a motion is read from; null for one that is in the project itself.
 template <class Kind>
 auto fileOf(Kind& kind) {
     using File = std::conditional_t<std::is_const_v<Kind>, const std::string, std::string>;

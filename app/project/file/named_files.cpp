@@ -26,7 +26,7 @@ std::string pathIn(const std::string& folder, const std::string& file) {
 
 namespace {
 
-/// The values per cell of that name, with one of these numbers of components; null if there are none.
+/// Returns the values per cell of that name, with one of these numbers of components; null if there are none.
 const MeshField* cellField(const MeshFile& file, const std::string& name,
                            const std::vector<int>& components) {
     for (const MeshField& field : fieldsOf(file))
@@ -38,7 +38,7 @@ const MeshField* cellField(const MeshFile& file, const std::string& name,
     return nullptr;
 }
 
-/// The same; one that the project names has to be there.
+/// Does the same, but throws InputError if the project names a field that is missing.
 const MeshField* wantedField(const MeshFile& file, const std::string& name, const char* usual,
                              const std::vector<int>& components) {
     const MeshField* field = cellField(file, name.empty() ? usual : name, components);

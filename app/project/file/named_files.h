@@ -10,7 +10,7 @@ namespace wend {
 
 // Locations of the files that a project names, and readers of our own formats.
 
-/// The folder that the paths in this file are relative to.
+/// Returns the folder that the paths in this file are relative to.
 std::string folderOf(const std::string& path);
 /// `file` as the project means it: relative to the folder, unless absolute.
 std::string pathIn(const std::string& folder, const std::string& file);

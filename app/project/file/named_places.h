@@ -18,7 +18,7 @@ namespace wend {
 // Directions of a handle may also be named: "normal of GROUP" for an axis of rotation or a direction that is
 // held. Their names are kept under "/hold/normal", and with the motion's extras under "/axis".
 
-/// A direction, or one that is named and found with findNamedPlaces; it is zero until then.
+/// Reads a direction; one that is named stays zero until findNamedPlaces() resolves it.
 Vec3 readNamedDirection(const JsonValue& value);
 
 /// Returns the group that a direction "normal of GROUP" names; nothing if it is no text. Other texts fail,

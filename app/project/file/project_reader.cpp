@@ -190,7 +190,7 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 // --- The rest ---
 // Reads an object of settings only.
 
-/// An object that holds nothing but settings.
+/// Reads an object of settings only.
 void readGroup(JsonObject& root, const std::string& group, Project& project) {
     if (const auto value = root.find(group)) {
         JsonObject object(*value);
@@ -237,7 +237,7 @@ void readDesign(JsonObject& root, Project& project) {
             design.handles.push_back(readHandle(element, project.end));
 }
 
-/// The end of time covers them.
+/// Reads the windows of settling, which extend the end of time where necessary.
 void readSettling(const JsonValue& value, Project& project) {
     for (const JsonValue& element : value.elements()) {
         JsonObject object(element);

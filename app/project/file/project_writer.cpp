@@ -74,14 +74,14 @@ class ProjectJson {
 
     // --- Domain ---
 
-    /// An object that holds nothing but settings.
+    /// Returns an object of settings only.
     Json groupJson(const char* group) const {
         Json json = Json::object();
         writeSettings(json, group, m_project);
         return json;
     }
 
-    /// The settings if there is something to say, or else true.
+    /// Returns the settings that differ from their defaults, or true if none does.
     Json switchedOn(const char* group) const {
         Json json = groupJson(group);
         return json.empty() ? Json(true) : json;
@@ -274,7 +274,7 @@ class ProjectJson {
         return json;
     }
 
-    /// The times of the motion are those of its poses, and need not be written.
+    /// Returns whether the times of the motion are those of its poses, and need not be written.
     static bool hasTimesOfPoses(const PinMotion& motion) {
         const auto* poses = std::get_if<PoseMotion<3>>(&motion.kind);
         return poses && poses->hasOwnTimes &&
@@ -299,7 +299,7 @@ class ProjectJson {
         return withExtras(std::move(json), withoutNames(motion.extras));
     }
 
-    /// An end that is open is null.
+    /// Writes an open end as null.
     static Json activeJson(double from, double to) {
         return Json::array(
             {std::isfinite(from) ? Json(from) : Json(), std::isfinite(to) ? Json(to) : Json()});
@@ -410,7 +410,7 @@ Json ProjectJson::whole() const {
 
 // --- Files ---
 
-/// The file, which is named from folder `from`, as named from folder `to`.
+/// Returns the file, which is named relative to folder `from`, as named relative to folder `to`.
 std::string rebased(const std::string& file, const fs::path& from, const fs::path& to) {
     if (file.empty()) return file;
     const fs::path absolute = fs::absolute(from / file).lexically_normal();

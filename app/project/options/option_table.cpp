@@ -53,7 +53,7 @@ constexpr Accessor kAim{[](const Project& project) { return static_cast<double>(
                             project.domain.edge = project.domain.maxVolume = 0;
                         }};
 
-/// A length of 0 is no smoothing.
+/// Accesses the length of smoothing, which 0 turns off.
 constexpr Accessor kSmoothing{[](const Project& project) {
                                   const Smoothing& smoothing = project.design.material.smoothing;
                                   return smoothing.kind == SmoothingKind::None ? 0 : smoothing.length;

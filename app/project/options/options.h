@@ -105,14 +105,14 @@ struct Option {
 std::span<const Option> options();
 /// Returns the setting of that key or flag, which must exist.
 const Option& option(std::string_view keyOrFlag);
-/// The default, as a number and as one would write it (empty: none).
+/// Return the default as a number and as text (empty: none), and any value as text.
 double defaultOf(const Option& option);
 double defaultOf(std::string_view keyOrFlag);
 std::string defaultText(const Option& option);
 std::string textOf(const Option& option, double value);
 /// Empty if the value is in range, else "0 is out of range: it must be in ]0, 1[".
 std::string rangeProblem(const Option& option, double value);
-/// The words of Choice, and the place of one of them (their number, if it is none).
+/// Return the words of Choice, the index of one of them (their number if it is none), and whether it is one.
 std::vector<std::string> choicesOf(const Option& option);
 int placeOf(const Option& option, std::string_view choice);
 bool isChoice(const Option& option, std::string_view value);
@@ -124,10 +124,10 @@ double phiOfName(std::string_view name, int dim);
 /// Returns the name of exactly that φ, or an empty string.
 std::string nameOfPhi(double phi, int dim);
 
-/// The shortest text that reads back as the same number, in the C locale.
+/// Returns the shortest text that reads back as the same number, in the C locale.
 std::string shortNumber(double value);
 
-/// The option's meaning, with the formats that there are in the place of {surfaces} and {volumes}.
+/// Returns the option's meaning, with the available formats in the place of {surfaces} and {volumes}.
 std::string meaningOf(const Option& option);
 
 /// Returns the table as a page of Markdown (docs/reference.md).

@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// The value in this project; the key must be that of a setting with a field.
+/// Returns the value in this project; the key must be that of a setting with a field.
 double settingOf(const Project& project, std::string_view key);
 
 /// Returns whether such a project has the setting.
