@@ -36,7 +36,7 @@ class TestFlow : public QObject {
 
 namespace {
 
-/// Of a rectangle of nx × ny squares, each cut in two.
+/// Returns a rectangle of nx × ny squares, each cut into two triangles.
 Mesh<2> grid(int nx, int ny, double width, double height) {
     Mesh<2> mesh;
     for (int j = 0; j <= ny; ++j)
@@ -50,7 +50,7 @@ Mesh<2> grid(int nx, int ny, double width, double height) {
     return mesh;
 }
 
-/// Six tetrahedra in each cube (Kuhn).
+/// Returns a bar of nx × ny × nz cubes, each of six tetrahedra (Kuhn's subdivision).
 Mesh<3> bar(int nx, int ny, int nz) {
     Mesh<3> mesh;
     const auto at = [&](int i, int j, int k) { return (k * (ny + 1) + j) * (nx + 1) + i; };
@@ -99,7 +99,7 @@ Place<2> right(double width) {
     return Place<2>::halfSpace({width, 0}, {1, 0});
 }
 
-/// A strip whose right end turns.
+/// Returns a strip whose right end rotates.
 Flow<2> bentStrip(const FlowOptions& options = {}) {
     Flow<2> flow(grid(24, 6, 4, 1), {}, options);
     flow.hold(left());
@@ -137,8 +137,8 @@ void TestFlow::rigidMotionIsExact() {
     }
 }
 
-/// Sides that move apart, free along y: at AKVF, e = ‖S‖², so that nothing pays for a field without shear,
-/// v = (x ẇ/w, 0), and heights stay: cells grow by the factor of the width.
+/// The two sides move apart and are free along y. At AKVF, e = ‖S‖², so a field without shear costs the
+/// least: v = (x ẇ/w, 0), heights stay, and cells grow by the factor of the width.
 void TestFlow::stretchedSquareIsAClosedForm() {
     Flow<2> flow(grid(6, 6, 1, 1), {.phi = phiOf(Keep::Rigidity, 2)}, {.tolerance = 1e-8});
     flow.hold(Place<2>::halfSpace({0, 0}, {-1, 0}).free({false, true}));
@@ -179,7 +179,7 @@ void TestFlow::runsDoNotDependOnThoseBefore() {
     QVERIFY(sameBits<2>(flow.points(), first));
 }
 
-/// In two runs, with the second half of the movement set anew, as in one.
+/// A run in two parts, whose second half is set in between, equals a single run.
 void TestFlow::runGoesOn() {
     Flow<2> once(grid(24, 6, 4, 1)), twice(grid(24, 6, 4, 1));
     const TimeWindow second{1, 2};
@@ -218,7 +218,7 @@ void TestFlow::equalsTheProgram() {
     QVERIFY(sameBits<2>(flow.points(), loadMesh<2>(out.toStdString()).points));
 }
 
-/// Both ends of a bar turn about its axis by the same angle: the bar as a whole does.
+/// Both ends of a bar rotate about its axis by the same angle, so the whole bar does.
 void TestFlow::rotationInSpace() {
     const Mesh<3> mesh = bar(8, 2, 2);
     Flow<3> flow(mesh, {}, {.tolerance = 1e-8});
@@ -262,7 +262,8 @@ void TestFlow::twoFlowsInTwoThreads() {
     QVERIFY(sameBits<2>(a.points(), alone.points()) && sameBits<2>(b.points(), alone.points()));
 }
 
-/// What comes back is back, and without a memory it is not: the way there was another one.
+/// With the elastic energy a closed path of the handle restores the shape; without a memory of the rest shape
+/// it does not.
 void TestFlow::elasticLoopCloses() {
     for (const bool isElastic : {true, false}) {
         FlowMaterial<2> material;
@@ -315,7 +316,7 @@ void TestFlow::inputIsChecked() {
     QVERIFY(messageOf([&] { loadMesh<2>("/nowhere/mesh.obj"); }).contains("/nowhere/mesh.obj"));
 }
 
-/// Every movement ends where its definition says.
+/// Every motion ends where its definition says.
 void TestFlow::placesAndMovements() {
     const Mesh<2> mesh = grid(10, 10, 1, 1);
     struct Case {

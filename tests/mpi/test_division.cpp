@@ -1,4 +1,4 @@
-// Systems divided into parts, as processes hold them: all parts together are the whole.
+// Systems divided into the parts that processes hold: all parts together equal the whole.
 #include <QTest>
 #include <numeric>
 
@@ -123,7 +123,7 @@ void compareProducts(bool smoothing, int parts) {
         for (int i = 0; i < part.own; ++i) {
             const int unknown = indexOf[part.vertices[i]];
             ++seen[unknown];
-            // Sums run in another order.
+            // Sums are taken in another order.
             QVERIFY((result.col(i) - whole.col(unknown)).cwiseAbs().maxCoeff() < 1e-13 * size);
         }
         const Points<Dim> v = gathered<Dim>(field, part.vertices);
@@ -150,7 +150,7 @@ void TestDivision::productsArePartsOfTheWhole_data() {
     }
 }
 
-/// With B and φ of their own in every cell, mass, sliders, and points in cells of two parts.
+/// The system has B and φ of its own in every cell, mass, sliders, and points in cells of two parts.
 void TestDivision::productsArePartsOfTheWhole() {
     QFETCH(bool, smoothing);
     QFETCH(int, parts);

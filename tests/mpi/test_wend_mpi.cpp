@@ -1,4 +1,4 @@
-// wend-mpi in one, two and four processes against each other and against the program of one process.
+// wend-mpi in one, two and four processes is compared with itself and with the program of one process.
 #include <csignal>
 
 #include <QtTest>
@@ -53,7 +53,7 @@ namespace {
 // Rounding differs with the order of sums, by far less than the 5e-5 to which velocities are solved for.
 constexpr double kAgreement = 1e-8;  // of the size
 
-/// The process with this rank that an mpirun has started; 0: there is none.
+/// Returns the process with this rank that an mpirun has started, or 0 if there is none.
 qint64 processOf(qint64 mpirun, int rank) {
     const QByteArray wanted = "OMPI_COMM_WORLD_RANK=" + QByteArray::number(rank);
     for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
@@ -75,7 +75,7 @@ SimplicialMesh<Dim> jittered(SimplicialMesh<Dim> mesh) {
     return mesh;
 }
 
-/// Point by point.
+/// Compares two meshes point by point.
 template <int Dim>
 double distance(const std::string& a, const std::string& b) {
     const auto first = readMesh<Dim>(a), second = readMesh<Dim>(b);
@@ -114,7 +114,7 @@ void TestWendMpi::initTestCase() {
                "'max': [12, 12, 0.4]}}}}, {'at': {'region': {'box': {'min': [-1, -1, 19.6], 'max': [12, 12, "
                "21]}}}, " +
                    endlessMotion("[4, 0, 0]", "[-4, 0, 0]") + "}]");
-    // In two times, with other constraints in each.
+    // The handles act in two intervals of time, with other constraints in each.
     putProject(path(), "plane.wend",
                "'domain': {'mesh': 'strip.obj'}, 'handles': [{'at': {'points': [[0.5, 1], [0.5, 15]]}}, "
                "{'at': {'points': [[59, 8.2], [59, 3.1]]}, 'active': [0, 0.5], 'motion': [{'kind': "
@@ -180,7 +180,7 @@ void TestWendMpi::errorsAreToldOnce() {
     QVERIFY(many.out.isEmpty());
 }
 
-/// The report has the last good time, and nothing else is written.
+/// The report has the last good time, and no other file is written.
 void TestWendMpi::runsThatCannotBeCompleted() {
     putProject(path(), "fold.wend",
                "'domain': {'mesh': 'small.obj'}, 'handles': [{'name': 'wall', 'at': {'points': [[10, 0], "
@@ -195,7 +195,7 @@ void TestWendMpi::runsThatCannotBeCompleted() {
     QVERIFY(time > 0.7 && time < 10.0 / 12);
 }
 
-/// A wish to stop reaches the first process, and all end.
+/// A request to stop that reaches the first process ends all of them.
 void TestWendMpi::cancelledRuns() {
     QProcess process;
     process.setWorkingDirectory(path());
@@ -220,7 +220,7 @@ void TestWendMpi::lostProcessesAreNamed_data() {
     QTest::newRow("last") << 2;
 }
 
-/// As by the kernel where memory is short: the others do not wait for ever.
+/// A process is killed, as the kernel does when memory is short; the others do not wait for it forever.
 void TestWendMpi::lostProcessesAreNamed() {
     QFETCH(int, rank);
     QProcess process;

@@ -42,13 +42,13 @@ inline void put(const QString& folder, const char* name, const std::string& text
     wend::writeTextFile((folder + "/" + name).toStdString(), text);
 }
 
-/// A project in JSON with ' for ".
+/// Writes a project in JSON, with ' for ".
 inline void putProject(const QString& folder, const char* name, const std::string& rest) {
     put(folder, name, json("{'format': 'wend', 'version': 1, " + rest + "}"));
 }
 
-/// The motion of a handle that moves by @p there in one unit of time, back in the next, and so on for 10,000
-/// of them: no machine comes to its end before a test stops the run.
+/// Returns the motion of a handle that moves by @p there in one unit of time and back in the next, 10,000
+/// times over; no machine completes it before a test stops the run.
 inline std::string endlessMotion(const char* there, const char* back) {
     std::string motion = "'motion': [";
     for (int k = 0; k < 10000; ++k) {
@@ -59,7 +59,7 @@ inline std::string endlessMotion(const char* there, const char* back) {
     return motion + "]";
 }
 
-/// Points row by row, nx × ny unit squares, each of two triangles.
+/// Returns nx × ny unit squares, each of two triangles, with the points row by row.
 inline wend::SimplicialMesh<2> stripMesh(int nx, int ny) {
     wend::SimplicialMesh<2> mesh;
     mesh.points.resize(2, (nx + 1) * (ny + 1));
@@ -74,7 +74,7 @@ inline wend::SimplicialMesh<2> stripMesh(int nx, int ny) {
     return mesh;
 }
 
-/// A block of nx × ny × nz unit cubes, each of six tetrahedra around its diagonal.
+/// Returns a block of nx × ny × nz unit cubes, each of six tetrahedra around its diagonal.
 inline wend::SimplicialMesh<3> blockMesh(int nx, int ny, int nz) {
     wend::SimplicialMesh<3> mesh;
     mesh.points.resize(3, (nx + 1) * (ny + 1) * (nz + 1));
@@ -99,12 +99,12 @@ inline wend::SimplicialMesh<3> blockMesh(int nx, int ny, int nz) {
     return mesh;
 }
 
-/// A bar of 2 × 2 × n unit cubes along z.
+/// Returns a bar of 2 × 2 × n unit cubes along z.
 inline wend::SimplicialMesh<3> barMesh(int n) {
     return blockMesh(2, 2, n);
 }
 
-/// An opaque disc in the middle of a transparent picture.
+/// Returns a picture of an opaque disc on a transparent ground.
 inline wend::Image discPicture(int size, double radius) {
     wend::Image image;
     image.width = image.height = size;

@@ -120,8 +120,8 @@ void TestCli::referencePageIsCurrent() {
              QString::fromStdString(readTextFile(WEND_SOURCE_DIR "/docs/reference.md")));
 }
 
-/// All vertices in one handle: the shape is where the handle went, to rounding, and order and count are the
-/// input's.
+/// With all vertices in one handle the shape follows it exactly, up to rounding, and the order and number of
+/// vertices are the input's.
 void TestCli::translatedStrip() {
     succeed({"run", "strip.wend", "--mesh", "moved.obj"});
     const auto moved = sharedMeshFile(file("moved.obj"));
@@ -139,7 +139,7 @@ void TestCli::velocityTable() {
     QCOMPARE(lines.size(), 34);
     const QStringList fixed = lines[1].split(','), end = lines[11].split(',');  // vertices 0 and 10
     QCOMPARE(fixed[2].toDouble(), 0.0);
-    // vertex 10 turns about (5, 1) with unit angular velocity: v = (−(y − 1), x − 5)
+    // vertex 10 rotates about (5, 1) with unit angular velocity: v = (−(y − 1), x − 5)
     QVERIFY(std::abs(end[2].toDouble() + end[1].toDouble() - 1) < 1e-9);
     QVERIFY(std::abs(end[3].toDouble() - end[0].toDouble() + 5) < 1e-9);
     const double radius = std::hypot(5, 1), angle = std::atan2(-1, 5) + 0.5;
@@ -201,8 +201,8 @@ void TestCli::reportKeys() {
     QVERIFY(report["steps"].toInt() > 0);
 }
 
-/// Memory and settling from the command line and from the project are the same; both bring the shape nearer
-/// to its rest.
+/// Memory and settling give the same result from the command line and from the project; both bring the shape
+/// nearer to its rest.
 void TestCli::remembersAndSettles() {
     const auto report = [&](const QStringList& options) {
         succeed(QStringList{"run", "bend.wend", "--report", "r.json", "--mesh", "m.obj"} + options);
@@ -310,7 +310,7 @@ void TestCli::frames() {
     QCOMPARE(readImage(file("frames/f_000.png")).data, readImage(file("disc.png")).data);
 }
 
-/// One canvas for the whole sequence.
+/// All frames of the sequence have the same canvas.
 void TestCli::framesFit() {
     const QStringList common{"run", "disc.wend", "--canvas", "fit"};
     succeed(common + QStringList{"--frames", "fit_#.png", "--count", "3", "--image", "fit.png"});
@@ -323,7 +323,7 @@ void TestCli::framesFit() {
     QVERIFY(QDir(path()).entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
 }
 
-/// Of a still and of all frames: the pixels that the whole has there, and nothing beyond it.
+/// A crop of a still and of all frames has exactly the pixels that the whole picture has there.
 void TestCli::partOfThePicture() {
     succeed({"run", "disc.wend", "--image", "whole.png"});
     succeed({"run", "disc.wend", "--canvas", "-7,60,70,30", "--image", "part.png", "--frames", "p_#.png",
@@ -387,7 +387,7 @@ void TestCli::picture() {
     QVERIFY((uvOf(*mesh).col(1) - Vec2(140.0 / 200, 1 - 100.0 / 200)).norm() < 1e-15);
 }
 
-/// An opaque picture that has moved by half a pixel: a row and a column more, of which a part is covered.
+/// An opaque picture that has moved by half a pixel needs one more row and column, which are partly covered.
 void TestCli::fittedPictureHasItsLastRowAndColumn() {
     putProject(
         path(), "half.wend",
@@ -435,7 +435,7 @@ void TestCli::texturedMesh() {
         QVERIFY(std::abs(std::to_integer<int>(card.data[i]) - std::to_integer<int>(disc.data[i])) <= 1);
 }
 
-/// A quarter turn of one end of a bar: the other stays, and no tetrahedron turns over.
+/// One end of a bar rotates by a quarter turn while the other stays, and no tetrahedron is inverted.
 void TestCli::twistedBar() {
     succeed({"run", "bar.wend", "--mesh", "twisted.mesh", "--report", "bar.json"});
     const auto twisted = sharedMeshFile(file("twisted.mesh"));
@@ -467,7 +467,7 @@ void TestCli::germanLocale() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"LC_ALL", "LC_NUMERIC", "LANG"}) environment.insert(name, "de_DE.UTF-8");
     environment.insert("LOCPATH", WEND_LOCALES);
-    // Another program sees the comma: the locale is really there.
+    // Another program prints the comma, so the locale is really installed.
     QCOMPARE(runCli(path(), {"decimal_point"}, environment, "locale").out.trimmed(), QString(","));
     const CliResult german =
         runCli(path(), {"run", "bend.wend", "--at", "0.5", "--velocity", "-"}, environment);
@@ -480,7 +480,7 @@ void TestCli::germanLocale() {
 
 /// The same project gives the same bits with any number of threads.
 void TestCli::sameBits() {
-    // As many unknowns as it takes for two threads to be used.
+    // Two threads are used only from this number of unknowns on.
     writeMesh<2>(file("plate.obj"), stripMesh(110, 50));
     putProject(path(), "plate.wend",
                "'domain': {'mesh': 'plate.obj'}, 'handles': [{'at': {'points': [[0, 0], [0, 50]]}},"
@@ -509,7 +509,7 @@ void TestCli::warnsOfUnknownKeys() {
     QCOMPARE(centre.code, 3);
     QCOMPARE(centre.error,
              QString("wend: centre.wend: handles[0].motion[0]: `center` is not known; `centre`?\n"));
-    // What is told of the mesh names the file, too.
+    // Messages about the mesh name the file, too.
     Surface spare = test::surfaceOf(stripMesh(10, 2));
     spare.points.conservativeResize(Eigen::NoChange, spare.points.cols() + 2);
     spare.points.rightCols<2>() << 20, 21, 20, 21, 0, 0;
@@ -519,7 +519,7 @@ void TestCli::warnsOfUnknownKeys() {
     QVERIFY2(told.error.contains("spare.wend: 2 vertices belong to no cell"), qPrintable(told.error));
 }
 
-/// A body that only moves keeps the quality of its cells, and its gradient is that of the motion.
+/// A body that is only moved keeps the quality of its cells, and its gradient is that of the motion.
 void TestCli::qualityAndGradients() {
     std::string turned = readTextFile(file("strip.wend"));
     const std::string move = "\"kind\": \"translate\", \"by\": [3, 0.5]";
@@ -609,7 +609,7 @@ void TestCli::endBeforeTheMotions() {
     QCOMPARE(notices.size(), 2);
     QVERIFY(notices.at(0).toString().startsWith("mood: is not known"));
     QVERIFY(notices.at(1).toString().startsWith("handle 3 reaches only 36 %"));
-    // Somebody who asks for an earlier time knows that it is not the end.
+    // An earlier time given with --at is not reported as the end.
     QCOMPARE(run({"run", "early.wend", "--at", "0.3", "--mesh", "early.obj"}).error.count('\n'), 1);
 }
 
@@ -774,8 +774,8 @@ void TestCli::devices() {
     QVERIFY(result.out.startsWith("cpu "));
 }
 
-/// Writing over a link changes the file that it names, and keeps the file's permissions; what is no file
-/// stays what it is.
+/// Writing to a link changes the file that it names and keeps the file's permissions; anything that is not a
+/// regular file is left as it is.
 void TestCli::linksAndPermissions() {
     put(path(), "real.json", "old");
     QFile::setPermissions(path() + "/real.json", QFile::ReadOwner | QFile::WriteOwner);

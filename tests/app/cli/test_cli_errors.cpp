@@ -1,4 +1,4 @@
-// The command line when something is wrong: one line, the right exit code, and no file touched.
+// Errors on the command line: each gives one line and the right exit code, and touches no file.
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
@@ -183,7 +183,8 @@ void TestCliErrors::overwriting_data() {
 }
 
 /// A run that is asked for nothing says so, in one line, and is no failure.
-// WEND_SIMD: what the processor has is taken, anything else is one line and no work.
+// WEND_SIMD accepts any target that the processor has; any other value ends the program with one line and no
+// work.
 void TestCliErrors::simdTargets() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     const auto run = [&](const QString& name) {
@@ -218,7 +219,7 @@ void TestCliErrors::nothingAskedFor() {
     QCOMPARE(listing(), before);
 }
 
-/// Whatever it is called, no input is replaced by what is made of it, nor an output by another.
+/// No input is replaced by an output, nor one output by another, under whatever path they are given.
 void TestCliErrors::overwriting() {
     QFETCH(QStringList, arguments);
     QFETCH(QString, message);
@@ -288,7 +289,7 @@ void TestCliErrors::badInput_data() {
             "{'points': [[5, 1]]},"
             "'motion': [{'kind': 'translate', 'by': [1, 0], 'time': [0, 1]}]}]",
         "moving");
-    // by a ten-thousandth of the way: more than rounding, less than one sees
+    // by a ten-thousandth of the distance: more than rounding, less than is visible
     row("small contradiction",
         kStrip +
             ", 'handles': [{'name': 'one', 'at': {'points': [[5, 1]]}, 'motion': [{'kind': 'translate', "
@@ -353,7 +354,7 @@ void TestCliErrors::outputsStayWhole_data() {
     QTest::newRow("another folder is missing") << common + QStringList{"--report", "no/r.json"};
     QTest::newRow("another format is unknown") << common + QStringList{"--mesh", "m.xyz"};
     QTest::newRow("the input is broken") << QStringList{"run", "none.wend", "--image", "kept.png"};
-    // found only when it is written, after the picture: the format cannot carry what is asked for
+    // found only on writing, after the picture is done: the format cannot hold the requested data
     QTest::newRow("a later output fails") << common + QStringList{"--report", "/dev/full"};
 }
 
@@ -396,8 +397,8 @@ void TestCliErrors::fullDisk_data() {
     QTest::newRow("frames of meshes") << "--frames kept_#.obj --count 2";
 }
 
-/// A limit on the size of files stands for the full disk: it ends in the middle, some pages before the end,
-/// or one byte before it.
+/// A limit on the size of files simulates a full disk: it strikes in the middle of a file, some pages before
+/// its end, or one byte before it.
 void TestCliErrors::fullDisk() {
     QFETCH(QString, output);
     const QString kept = output.contains("#") ? QString("kept_1.") + output.section('.', 1).section(' ', 0, 0)
@@ -428,7 +429,7 @@ void TestCliErrors::fullDisk() {
     QCOMPARE(runLimited(arguments, size).code, 0);
 }
 
-/// The program, whose files may not grow beyond a size.
+/// Runs the program with a limit on the size of its files.
 CliResult TestCliErrors::runLimited(const QStringList& arguments, qint64 most) const {
     QProcess process;
     process.setWorkingDirectory(path());
@@ -442,8 +443,8 @@ CliResult TestCliErrors::runLimited(const QStringList& arguments, qint64 most) c
             QString::fromUtf8(process.readAllStandardError()), process.exitStatus() != QProcess::NormalExit};
 }
 
-/// A program that was killed in the middle of its frames: the next one that writes there takes away what it
-/// left. SIGTERM leaves nothing from the start.
+/// After a program is killed while it writes frames, the next one that writes there removes its leftovers.
+/// SIGTERM leaves nothing in the first place.
 void TestCliErrors::killed() {
     putProject(path(), "long.wend",
                "'domain': {'image': 'disc.png', 'vertices': 20000}, 'integration': {'tolerance': 1e-10},"
@@ -470,8 +471,8 @@ void TestCliErrors::killed() {
     QCOMPARE(listing(), before);
 }
 
-/// A handle that is pulled through a fixed one cannot arrive: exit code 4, the report with the last good
-/// time, nothing else.
+/// A handle that is pulled through a fixed one cannot arrive: the exit code is 4, and only the report is
+/// written, with the last good time.
 void TestCliErrors::foldedOver() {
     putProject(path(), "fold.wend",
                kStrip +
@@ -519,7 +520,7 @@ void TestCliErrors::interrupted() {
     QCOMPARE(listing(), before);
 }
 
-/// Into a pipe that is full and that nobody empties.
+/// The program is interrupted while it writes to a full pipe that has no reader.
 void TestCliErrors::interruptedWhileWriting() {
     const QByteArray pipe = QString(path() + "/pipe.ppm").toLocal8Bit();
     QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
@@ -538,7 +539,7 @@ void TestCliErrors::interruptedWhileWriting() {
     QFile::remove(path() + "/pipe.ppm");
 }
 
-/// Its name is not known, but it is the same file.
+/// Standard input is recognized as the same file although its name is unknown.
 void TestCliErrors::standardInputIsNotReplaced() {
     const std::string file = path().toStdString() + "/disc.wend", before = readTextFile(file);
     QProcess process;

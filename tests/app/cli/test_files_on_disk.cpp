@@ -25,8 +25,8 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Files that others write, move or empty while the window has them: nothing is lost unasked, and what the
-/// banner says goes when it holds no longer.
+/// Other programs write, move or empty files that the window has open: nothing is lost without a question,
+/// and the banner disappears once it no longer applies.
 class TestFilesOnDisk : public QObject {
     Q_OBJECT
   private slots:
@@ -50,7 +50,7 @@ class TestFilesOnDisk : public QObject {
   private:
     void openProject();
     void pin(double x) { addPin(document(), {x, 80}, "Pin"); }
-    /// As another program would: a new file in the place of the old one.
+    /// Replaces the old file by a new one, as another program would.
     void writeAsOther(int vertices);
     bool told(const QString& part) {
         return QTest::qWaitFor([&] { return m_window->banner().text().contains(part); }, 60000);
@@ -143,7 +143,7 @@ void TestFilesOnDisk::keepingMineSavesOverThem() {
     QCOMPARE(domainOf(*readProject(file("bar.wend").toStdString()).project).vertices, 400);
 }
 
-/// Also before the banner has had its time.
+/// The question is asked even before the banner has appeared.
 void TestFilesOnDisk::savingAsksFirst() {
     openProject();
     pin(40);
@@ -312,7 +312,7 @@ void TestFilesOnDisk::ownFilesAreAskedFor() {
     QCOMPARE(questions, 1);
 }
 
-/// “old” is old.png to the question whether it may be replaced.
+/// The question whether to replace a file appears for old.png when “old” was typed.
 void TestFilesOnDisk::namesGetTheirExtensionBeforeTheQuestion() {
     m_window->openPath(writeCutOut(*m_folder));
     QVERIFY(isOpen("bar.png"));
@@ -339,7 +339,8 @@ void TestFilesOnDisk::namesGetTheirExtensionBeforeTheQuestion() {
     QCOMPARE(readTextFile(file("old.png").toStdString()), std::string("precious"));
 }
 
-/// Of flat shapes as of solids; and what was told of one goes with the next.
+/// The facts about a file are shown for flat shapes as for solids; those of one file disappear when the next
+/// is opened.
 void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
     std::ofstream(file("hanging.off").toStdString())
         << "OFF\n7 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 1 0\n2 2 0\n1 2 0\n"

@@ -29,7 +29,7 @@ QByteArray outputOf(const QString& program, const QStringList& arguments) {
     return process.readAllStandardOutput();
 }
 
-/// What ffprobe finds in a film.
+/// The properties that ffprobe reports for a film.
 struct Probe {
     QJsonObject video, sound;
     int frames = 0;
@@ -73,7 +73,7 @@ QList<QImage> picturesOf(const QString& file) {
     return pictures;
 }
 
-/// What is seen of the picture on a ground, cut to the size.
+/// Returns the picture on an opaque ground, cropped to the size.
 QImage onGround(const QImage& picture, const QColor& ground, const QSize& size) {
     QImage flat(size, QImage::Format_RGB32);
     for (int y = 0; y < size.height(); ++y)
@@ -90,7 +90,7 @@ QImage onGround(const QImage& picture, const QColor& ground, const QSize& size) 
     return flat;
 }
 
-/// The mean difference of the channels of what is seen on white, and of alpha, of 255.
+/// Returns the mean difference of the channels, of 255, as seen on white, and of alpha.
 double difference(const QImage& one, const QImage& other, const QSize& size) {
     const QImage a = onGround(one, Qt::white, size), b = onGround(other, Qt::white, size);
     double sum = 0;
@@ -234,7 +234,7 @@ void TestFilms::filmIsTheSequence_data() {
     QTest::newRow("png") << "apng" << true << 0.0;
 }
 
-/// The frames are those that the sequence has as PNG, on white where there is no transparency.
+/// The frames equal those of the sequence as PNG, on white where there is no transparency.
 void TestFilms::filmIsTheSequence() {
     QFETCH(QString, codec);
     QFETCH(bool, alpha);
@@ -342,7 +342,7 @@ void TestFilms::filmLastsAsLongAsTheMotion() {
     QVERIFY(std::abs(found.seconds - frames / rate) < 0.002);
 }
 
-/// A motion there and back: the last frame of a loop is the one before the first.
+/// The motion goes there and back, so the last frame of a loop is the one before the first.
 void TestFilms::loopHasNoFrameTwice() {
     succeed({"run", "slow.wend", "--loop", "--film", "loop.png", "--frames", "l_#.png", "--count", "8"});
     succeed({"run", "slow.wend", "--frames", "w_#.png", "--count", "9"});
@@ -372,9 +372,9 @@ void TestFilms::cycleIsWhatLoops() {
     QCOMPARE(probe(file("all.png")).frames, 21);
 }
 
-/// The sample's walk: 24 frames of which the first follows the last as any other follows the one before it;
-/// at the end every vertex is where it began; hands swing against the feet of their side, and the sides half
-/// a walk apart.
+/// In the sample's walk of 24 frames the first follows the last as any other follows its predecessor. At the
+/// end every vertex is where it began; hands swing against the feet of their side, and the two sides are half
+/// a cycle apart.
 void TestFilms::walkerWalksOn() {
     const QString walker = QStringLiteral(WEND_SOURCE_DIR "/resources/samples/walker.wend");
     succeed({"run", walker, "--frames", "walk_##.obj", "--count", "25", "--quiet"});
@@ -438,7 +438,8 @@ void TestFilms::soundIsThatOfTheTime_data() {
     QTest::newRow("gif") << "sound.gif" << QString();
 }
 
-/// It lasts as long as the film. QuickTime holds the samples, whose values say which ones they are.
+/// The sound lasts as long as the film. QuickTime keeps the samples unchanged, and each value identifies its
+/// sample.
 void TestFilms::soundIsThatOfTheTime() {
     QFETCH(QString, film);
     QFETCH(QString, codec);
@@ -490,7 +491,8 @@ void TestFilms::severalFilmsAtOnce() {
     QVERIFY(QFileInfo(file("c.webp")).size() > 1000);
 }
 
-/// Found at run time, told in one line with a way out; WebP does without.
+/// A missing ffmpeg is detected at run time and reported in one line with an alternative; WebP does not need
+/// it.
 void TestFilms::ffmpegIsMissing() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("PATH", m_folder.path());
@@ -525,7 +527,7 @@ void TestFilms::ffmpegFails_data() {
     QTest::newRow("text") << QByteArray("printf 'a\\033[31mb\\n' >&2; exit 1") << 3 << "a\\x1b[31mb";
 }
 
-/// In one line; an old file stays as it was, and nothing is left beside it.
+/// The failure is reported in one line; an old file stays as it was, and no other file is left.
 void TestFilms::ffmpegFails() {
     QFETCH(QByteArray, script);
     QFETCH(int, code);
@@ -551,7 +553,7 @@ void TestFilms::ffmpegFails() {
     QFile::remove(file("no.mp4"));
 }
 
-/// A limit on the size of files, which the real ffmpeg meets.
+/// The real ffmpeg runs into a limit on the size of files.
 void TestFilms::filesMayNotGrow() {
     for (const QString& format : kFormats) {
         const QString name = "limit." + format;
@@ -577,7 +579,7 @@ void TestFilms::filesMayNotGrow() {
     }
 }
 
-/// While frames come: nothing is left, of the film or of its program.
+/// A film that is cancelled while its frames are written leaves neither a file nor a process.
 void TestFilms::filmIsCancelled() {
     putProject(m_folder.path(), "endless.wend",
                "'domain': {'image': 'disc.png', 'vertices': 300}, 'time': {'end': 10000}, 'handles': [{'at': "

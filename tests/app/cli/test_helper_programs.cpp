@@ -1,4 +1,4 @@
-// Programs beside wend that hang or are killed: said in one line, nothing stays behind.
+// Helper programs that hang or are killed: the error is one line, and no process or file is left.
 
 #include <QtTest>
 #include <csignal>
@@ -111,7 +111,7 @@ void TestHelperPrograms::killedMesher() {
     QCOMPARE(readTextFile((path() + "/kept.vtu").toStdString()), std::string("old"));
 }
 
-/// A program that was copied alone still does all else.
+/// A copy of the program without its helpers can do everything else.
 void TestHelperPrograms::missingHdf5() {
     QTemporaryDir alone;
     const QString program = alone.filePath(QStringLiteral("wend"));

@@ -22,7 +22,8 @@ constexpr const char* kFoot =
     "{'name': 'foot', 'at': {'region': {'box': {'min': [-9, -9, -0.5], 'max': [9, 9, 0.5]}}}}";
 constexpr const char* kHead = "'region': {'box': {'min': [-9, -9, 5.5], 'max': [9, 9, 6.5]}}";
 
-/// The distance of a point from a triangle: of its projection if that is inside, else of the edges.
+/// Returns the distance of a point from a triangle: that of its projection if it is inside, else that of the
+/// edges.
 double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto toEdge = [&](const Vec3& from, const Vec3& to) {
         const double s = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
@@ -63,7 +64,7 @@ std::string tube(double radius, int sides, double low, double high) {
     return out.str();
 }
 
-/// The mesh with its image in the plane x = 0, where both have the same vertices.
+/// Returns the mesh with its mirror image in the plane x = 0, sharing the vertices in that plane.
 SimplicialMesh<3> withImage(const SimplicialMesh<3>& half) {
     SimplicialMesh<3> whole = half;
     std::vector<int> image(static_cast<std::size_t>(half.vertexCount()));
@@ -119,7 +120,7 @@ class TestHoldCli : public QObject {
     QString path() const { return m_folder.path(); }
     std::string file(const std::string& name) const { return path().toStdString() + "/" + name; }
     CliResult run(const QStringList& arguments) const { return runCli(path(), arguments); }
-    /// The deformed points of a project with these handles, and the report.
+    /// Returns the deformed points of a project with these handles, and fills the report.
     Points3 bent(const std::string& domain, const std::string& handles, const std::string& more = "") {
         putProject(path(), "bend.wend",
                    "'domain': {'mesh': '" + domain + "'}, 'handles': [" + handles + "]" + more);
@@ -148,7 +149,7 @@ void TestHoldCli::initTestCase() {
     writeMesh<3>(file("whole.mesh"), withImage(half));
 }
 
-/// Held coordinates go where the motion has them, to rounding, and the others are free.
+/// Held coordinates follow the motion up to rounding, and the others are free.
 void TestHoldCli::axes() {
     const std::string motion = "{'kind': 'translate', 'by': [3, 0, 0.5], 'time': [0, 1]}";
     const Points3 end = bent("bar.mesh", kFoot + std::string(", ") + head(motion, "['z']"));
@@ -178,7 +179,7 @@ void TestHoldCli::normals_data() {
            "0.4, 0.4], [0.2, -0.1, 0.6]], 'frame': 'none', 'time': [0, 1]}";
 }
 
-/// Only the way along the normal is prescribed.
+/// Only the displacement along the normal is prescribed.
 void TestHoldCli::normals() {
     QFETCH(QString, motion);
     const std::string text = motion.toStdString();
@@ -198,8 +199,8 @@ void TestHoldCli::normals() {
     QVERIFY(across > 0.05);
 }
 
-/// A half with its plane of symmetry held across bends as the whole does. Without smoothness, whose terms at
-/// the plane only the whole has.
+/// Half of a shape, held in the direction across its plane of symmetry, bends as the whole does. Smoothness
+/// is off, because only the whole has its terms at the plane.
 void TestHoldCli::halfAndWhole() {
     const std::string
         turn = "{'kind': 'rotate', 'centre': [0, 1, 6], 'axis': [1, 0, 0], 'angle': 0.9, 'time': [0, 1]}",
@@ -219,12 +220,12 @@ void TestHoldCli::halfAndWhole() {
         for (int v = 0; v < half.cols(); ++v)
             if (whole(0, v) == 0) QCOMPARE(half(0, v), 0.0);
     }
-    // Without it the half would bend another way.
+    // Without the symmetry plane the half would bend differently.
     const Points3 loose = bent("half.mesh", both, settings);
     QVERIFY((loose - whole.leftCols(loose.cols())).colwise().norm().maxCoeff() > 1e-3);
 }
 
-/// Two planes that meet in an edge, one of them tilted in the coordinates' axes: the edge has both normals.
+/// Two planes meet in an edge, and one of them is oblique to the coordinate axes: the edge has both normals.
 void TestHoldCli::quarterAndWhole() {
     const std::string
         pull = "{'kind': 'translate', 'by': [0, 0, 1.5], 'time': [0, 1]}",
@@ -238,7 +239,7 @@ void TestHoldCli::quarterAndWhole() {
              foot + ", " + head(pull, "['z']") + plane("'min': [-0.1, -9, -9], 'max': [0.1, 9, 9]", "['x']") +
                  plane("'min': [-9, -0.1, -9], 'max': [9, 0.1, 9]", "['y']"),
              settings);
-    // The same turned by 30° about z.
+    // The same geometry, rotated by 30° about z.
     SimplicialMesh<3> turned = m_bar;
     const Mat3 R = Eigen::AngleAxisd(0.5, Vec3::UnitZ()).toRotationMatrix();
     turned.points = R * m_bar.points;
@@ -405,7 +406,7 @@ void TestHoldCli::slidingOnACylinder() {
     QVERIFY2(moved > 0.3, qPrintable(QString::number(moved)));
 }
 
-/// In the plane: along a straight line as across it, and exactly on a bent one.
+/// A handle in the plane slides along a straight path just as if held across it, and exactly on a bent path.
 void TestHoldCli::slidingAlongAPath() {
     put(path(), "straight.obj", "v -5 0 0\nv 20 0 0\nl 1 2\n");
     put(path(), "bent.obj", "v -5 0.02 0\nv 4 0.01 0\nv 8 0 0\nv 20 -0.5 0\nl 1 2 3 4\n");
@@ -431,7 +432,7 @@ void TestHoldCli::slidingAlongAPath() {
     }
 }
 
-/// A box whose faces slide on themselves turns with them as a rigid body, and its corners exactly so.
+/// A box whose faces slide on themselves rotates with them as a rigid body, and its corners do so exactly.
 void TestHoldCli::surfacesThatMove() {
     std::string border;
     for (int v = 0; v < m_bar.vertexCount(); ++v) {
@@ -458,7 +459,7 @@ void TestHoldCli::surfacesThatMove() {
     }
 }
 
-/// Killed anywhere or not: a run from states has the same bytes.
+/// A run from states gives the same bytes, even after it was killed at any point.
 void TestHoldCli::runsGoOn() {
     put(path(), "tube.obj", tube(1, 40, -1, 5));
     writeMesh<3>(file("round.mesh"), roundBar());
@@ -471,7 +472,7 @@ void TestHoldCli::runsGoOn() {
     QCOMPARE(run({"run", "on.wend", "--states", "on.states", "--mesh", "on.vtu"}).error, QString());
     QCOMPARE(run({"run", "on.wend", "--from", "on.states", "--mesh", "again.vtu"}).error, QString());
     QVERIFY(bytes("again.vtu") == bytes("on.vtu"));
-    // Another tube is another run.
+    // Another tube makes the states those of another run.
     put(path(), "tube.obj", tube(1.001, 40, -1, 5));
     const CliResult other = run({"run", "on.wend", "--from", "on.states", "--mesh", "again.vtu"});
     QVERIFY2(other.code == 3 && other.error.contains("its handles differ"), qPrintable(other.error));
@@ -512,7 +513,8 @@ void TestHoldCli::surfacesThatAreRefused() {
 
 namespace {
 
-/// The bar, turned, with the groups "top" (z = 6), "roof" (z = 6 and x = 2) and "all" (the whole boundary).
+/// Writes the rotated bar with the groups "top" (z = 6), "roof" (z = 6 and x = 2) and "all" (the whole
+/// boundary).
 void writeGroupedBar(const std::string& path, const SimplicialMesh<3>& bar, const Eigen::Matrix3d& R) {
     MeshFile file = toMeshFile<3>(bar);
     std::vector<int> top, roof, all;
@@ -556,7 +558,7 @@ void TestHoldCli::normalsOfGroups_data() {
     QTest::newRow("two faces, by area") << "roof" << 12.0 << 4.0;
 }
 
-/// The same as with the normal in numbers, for a rotation and for what is held.
+/// Normals from groups give the same result as normals in numbers, for a rotation and for held vertices.
 void TestHoldCli::normalsOfGroups() {
     QFETCH(QString, group);
     QFETCH(double, x);
@@ -585,7 +587,7 @@ void TestHoldCli::normalsOfGroups() {
     QVERIFY2(text.find("\"axis\": " + name) != std::string::npos, text.c_str());
 }
 
-/// Lines of a flat mesh: of the right end of a strip, turned by 0.3.
+/// Normals are those of lines of a flat mesh: of the right end of a strip, rotated by 0.3.
 void TestHoldCli::normalsOfLines() {
     const SimplicialMesh<2> strip = stripMesh(10, 2);
     MeshFile mesh = toMeshFile<2>(strip);

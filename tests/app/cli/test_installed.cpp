@@ -12,7 +12,7 @@
 
 using namespace wend;
 
-/// What `cmake --install` makes runs where it is put, and where it is moved to.
+/// The program that `cmake --install` makes runs where it was installed, and after the folder is moved.
 class TestInstalled : public QObject {
     Q_OBJECT
   private slots:
@@ -36,8 +36,8 @@ namespace {
 
 const QString kLook = QStringLiteral("--look");
 
-/// In the place of the program's window, in a process of its own beside the program: what the window would
-/// show of samples and manual. Empty if all is well.
+/// Returns the faults in the samples and the manual that the program's window would show, or an empty text.
+/// It runs in place of the window, in a process of its own beside the program.
 QString wrongInWindow() {
     const QString share = QDir(QCoreApplication::applicationDirPath() + "/../share/wend").canonicalPath();
     const QStringList samples = samplePaths();
@@ -61,7 +61,7 @@ QString wrongInWindow() {
 
 }  // namespace
 
-/// Nothing of the folder that it was built in, or installed to at first, is needed.
+/// Runs the program without the folders in which it was built or first installed.
 CliResult TestInstalled::run(const QStringList& arguments) const {
     return runCli(m_folder.path(), arguments, QProcessEnvironment::systemEnvironment(),
                   file(QStringLiteral("bin/wend")));
@@ -101,7 +101,7 @@ void TestInstalled::nothingIsMissing() {
                              "share/krita/pykrita/wend_bend/docker.py",
                              "share/wend/paraview/wend_project.xml"})
         QVERIFY2(QFile::exists(file(QLatin1String(name))), name);
-    // All that the program starts or loads, whatever is added.
+    // Every program or library that Wend starts or loads must be listed here.
     const QStringList helpers = QDir(QStringLiteral(WEND_BUILD))
                                     .entryList({QStringLiteral("wend-*")}, QDir::Files | QDir::Executable);
     QVERIFY(helpers.size() >= 3);
@@ -124,7 +124,7 @@ void TestInstalled::programRuns() {
     QVERIFY2(result.out.contains(QStringLiteral("0.")), qPrintable(result.out));
 }
 
-/// The same picture as by the program where it was built.
+/// The picture equals that of the program in its build folder.
 void TestInstalled::sampleIsRun() {
     const QString sample = file(QStringLiteral("share/wend/samples/strip.wend"));
     const QStringList rest{"--backend", "cpu", "--quiet", "--image"};
@@ -136,7 +136,7 @@ void TestInstalled::sampleIsRun() {
     QCOMPARE(picture, QImage(m_folder.filePath(QStringLiteral("there.png"))));
 }
 
-/// By the program's helper.
+/// A surface is meshed by the installed helper program.
 void TestInstalled::surfaceIsMeshed() {
     const CliResult result = run(
         {"mesh", file(QStringLiteral("share/wend/samples/bar.obj")), "--vertices", "600", "-o", "bar.msh"});
@@ -151,7 +151,7 @@ void TestInstalled::filmIsWritten() {
     QVERIFY(QFileInfo(m_folder.filePath(QStringLiteral("strip.webp"))).size() > 1000);
 }
 
-/// This program in the place of that one.
+/// This test program runs in place of the installed one.
 void TestInstalled::windowFindsSamplesAndManual() {
     const QString looker = file(QStringLiteral("bin/looker"));
     QVERIFY(QFile::copy(QCoreApplication::applicationFilePath(), looker));

@@ -1,5 +1,6 @@
-// A limit on addresses, from one under which the program cannot be loaded to one under which it works: the
-// run ends well, or with one line and exit code 5. Never with a signal, and never not at all.
+// The program runs under limits on its address space, from one under which it cannot be loaded to one under
+// which it works. Every run ends well, or with one line and exit code 5, never with a signal and never
+// without ending.
 
 #include <QRegularExpression>
 #include <QtTest>
@@ -25,7 +26,7 @@ class TestLittleMemory : public QObject {
     QTemporaryDir m_folder;
 };
 
-/// A mesh in the plane, and a project that bends it.
+/// Writes a mesh in the plane and a project that bends it.
 QString TestLittleMemory::writeStrip() const {
     writeMesh<2>(m_folder.filePath("strip.obj").toStdString(), stripMesh(40, 8));
     putProject(m_folder.path(), "strip.wend",
@@ -34,7 +35,7 @@ QString TestLittleMemory::writeStrip() const {
     return m_folder.filePath("strip.wend");
 }
 
-/// A surface in a cage, which a process of its own makes, under the same limit.
+/// Writes a surface in a cage, which a separate process makes under the same limit.
 QString TestLittleMemory::writeCaged() const {
     QFile::copy(QStringLiteral(WEND_SOURCE_DIR "/resources/samples/bar.obj"), m_folder.filePath("bar.obj"));
     putProject(m_folder.path(), "caged.wend",
@@ -48,7 +49,7 @@ void TestLittleMemory::runEndsWell_data() {
     QTest::addColumn<int>("megabytes");
     for (int megabytes = 80; megabytes <= 1200; megabytes += 40)
         QTest::addRow("picture, %d MB", megabytes) << "picture" << megabytes;
-    // What needs no library for pictures comes to the libraries for matrices.
+    // Commands that need no picture library get as far as the matrix libraries.
     for (const QString domain : {"mesh", "solid", "cage"})
         for (int megabytes = 340; megabytes <= 560; megabytes += 20)
             QTest::addRow("%s, %d MB", qPrintable(domain), megabytes) << domain << megabytes;
@@ -74,7 +75,7 @@ void TestLittleMemory::runEndsWell() {
     }
     QVERIFY2(result.error.count('\n') == 1, qPrintable(result.error));
     QCOMPARE(left, QStringList());
-    // The dynamic linker speaks for itself, before anything of the program runs.
+    // The dynamic linker reports its own error before the program runs.
     if (result.code == 127) {
         QVERIFY(result.error.contains("while loading shared libraries"));
         return;
@@ -87,15 +88,15 @@ void TestLittleMemory::runEndsWell() {
              qPrintable(result.error));
 }
 
-/// OpenBLAS starts a thread for each further processor, and each of them takes 128 MB as soon as it runs:
-/// that would leave too little here, and where it comes late nothing for the call that was promised its room.
+/// OpenBLAS would start a thread for each further processor, each of which takes 128 MB when it runs. That
+/// would leave too little memory here, or, if it came late, none for a call that had reserved its share.
 void TestLittleMemory::threadsOfBlasTakeNothing() {
     const QTemporaryDir folder;
     const CliResult result = runWithin(440, folder.path(), writeStrip(), "--mesh o.vtu");
     QVERIFY2(result.code == 0, qPrintable(result.error));
 }
 
-/// A factor of about 530 MB: limits in smaller steps meet the room between what comes before it and itself.
+/// The factor takes about 530 MB; limits in smaller steps fall between the memory used before it and its own.
 void TestLittleMemory::memoryIsToldBeforeItIsTaken() {
     const QTemporaryDir folder;
     const int n = 24;

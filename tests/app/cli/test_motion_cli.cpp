@@ -1,4 +1,4 @@
-// Handles that are moved by files: fields of displacements and tables of poses.
+// Handles moved by files: fields of displacements and tables of poses.
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -106,7 +106,7 @@ void TestMotionCli::fieldsOfFiles_data() {
     QTest::newRow("named columns") << "'file': 'named.txt', 'array': 'u'";
 }
 
-/// Every held vertex ends where the field puts it, to rounding, and is half way there at half time.
+/// Every held vertex ends where the field puts it, up to rounding, and is half way there at half the time.
 void TestMotionCli::fieldsOfFiles() {
     QFETCH(QString, source);
     putBar("field.wend", "{'kind': 'field', " + source.toStdString() + ", 'time': [0, 2], 'ease': 'inOut'}");
@@ -143,7 +143,7 @@ void TestMotionCli::fieldInThePlane() {
 
 void TestMotionCli::poses_data() {
     QTest::addColumn<QString>("table");
-    // The head rises by 1 and turns by 0.6 about z, then tilts by 0.4 about x.
+    // The head rises by 1 and rotates by 0.6 about z, then tilts by 0.4 about x.
     const double s = std::sin(0.3), c = std::cos(0.3);
     const Eigen::Quaterniond last = Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::Quaterniond(c, 0, 0, s);
     const Eigen::AngleAxisd turn(last);
@@ -183,7 +183,8 @@ void TestMotionCli::poses() {
     }
 }
 
-/// A whole turn of a handle of the plane, relative to its first pose, in its own time and with an ease.
+/// A handle in the plane rotates by a whole turn relative to its first pose, in its own time and with an
+/// ease.
 void TestMotionCli::posesInThePlane() {
     put(path(), "turn.csv", "time,x,y,angle\n5,0,1,0.5\n6,0,1,3.5\n8,0,1,6.7831853071795862\n");
     putProject(
@@ -201,7 +202,7 @@ void TestMotionCli::posesInThePlane() {
     QVERIFY((pointsIn("part.obj").col(10).head<2>() - expected).norm() < 1e-11);
 }
 
-/// Without `time` the motion has the times of its file, and the end is the last.
+/// Without `time` the motion has the times of its file, and the run ends with the last of them.
 void TestMotionCli::times() {
     put(path(), "late.csv", "2,0,0,0\n4,1,0,0\n");
     const std::string head = "{'at': {'vertices': [0]}, 'motion': [", tail = "]}]";

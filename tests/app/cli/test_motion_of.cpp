@@ -54,7 +54,7 @@ class TestMotionOf : public QObject {
 namespace {
 
 constexpr double kScale = 2.5;
-// Steps are chosen in the frame of the shape: what differs is rounding.
+// Steps are chosen in the frame of the shape, so the results differ by rounding only.
 constexpr double kRounding = 1e-10;
 
 template <int Dim>
@@ -197,7 +197,7 @@ void TestMotionOf::fieldOnAnotherMesh() {
     QCOMPARE(held, 7);
 }
 
-/// What has no namesake is placed in proportion, left out, or holds still, and is named.
+/// Handles without a namesake are placed in proportion, left out, or hold still, and are named in a message.
 void TestMotionOf::otherPins() {
     putProject(
         path(), "a.wend",
@@ -229,13 +229,13 @@ void TestMotionOf::otherPins() {
     for (Eigen::Index v = 0; v < rest.cols(); ++v) {
         const Vec2 moved = b.col(v) - rest.col(v);
         if (rest.col(v) == Vec2(1, 4) || rest.col(v) == Vec2(0, 0)) QVERIFY(moved.norm() < 1e-9);
-        // √(12 Tr C) of a box is its diagonal; of the L it follows from its two boxes.
+        // √(12 Tr C) of a box is its diagonal; that of the L follows from its two boxes.
         if (rest.col(v) == Vec2(10, 4)) QVERIFY(moved.y() > 1 && std::abs(moved.x()) < 1e-9);
     }
     QCOMPARE(run({"run", "b.wend", "--motion-of", "a.wend", "--mesh", "c.obj", "--strict"}).code, 3);
 }
 
-/// A pin on a group goes to the group of that name.
+/// A pin on a group is placed on the group of that name.
 void TestMotionOf::groups() {
     const auto obj = [](int shift) {
         std::string text;

@@ -1,4 +1,4 @@
-// Points that a deformation maps, forward and back.
+// Points mapped by a deformation, forward and back.
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -20,7 +20,7 @@ namespace {
 constexpr double kAngle = 0.7;
 const Vec2 kCentre(3, 1);
 
-/// A handle that turns the whole shape about (3, 1[, 0]).
+/// Returns a handle that rotates the whole shape about (3, 1[, 0]).
 std::string turned(int dim) {
     const std::string third = dim == 3 ? ", 0" : "";
     return "{'name': 'all', 'at': {'region': {'box': {'min': [-9, -9" +
@@ -36,7 +36,7 @@ Points3 turnedPoints(const Points3& points) {
     return result;
 }
 
-/// Both ends of a bar or strip, one of which turns against the other.
+/// Returns both ends of a bar or strip as handles, one of which rotates against the other.
 std::string bend(int dim, double length) {
     const auto box = [&](double low, double high) {
         const std::string end = dim == 2 ? "]" : ", -9]", far = dim == 2 ? "]" : ", 99]";
@@ -67,7 +67,7 @@ Points3 randomPoints(int count, const Vec3& low, const Vec3& high) {
     return points;
 }
 
-/// Rows of numbers between commas, below one line, as any program reads them.
+/// Parses rows of comma-separated numbers below a header line, as any program would.
 Points3 rows(const std::string& text) {
     std::istringstream in(text);
     std::string line;
@@ -162,7 +162,7 @@ void TestPointsCli::rigidMotion_data() {
     QTest::newRow("space") << 3;
 }
 
-/// Points inside, on the border and far outside turn with the shape.
+/// Points inside, on the border and far outside rotate with the shape.
 void TestPointsCli::rigidMotion() {
     QFETCH(int, dim);
     Points3 points = randomPoints(200, Vec3(-5, -5, -5), Vec3(15, 7, 7));
@@ -179,7 +179,7 @@ void TestPointsCli::thereAndBack_data() {
     rigidMotion_data();
 }
 
-/// Of points within the bent shape; those within the first half of the time, too.
+/// Points within the bent shape are mapped back; points within the first half of the time as well.
 void TestPointsCli::thereAndBack() {
     QFETCH(int, dim);
     Points3 points = randomPoints(300, Vec3(0, 0, 0), Vec3(10, 2, 2));
@@ -194,7 +194,7 @@ void TestPointsCli::thereAndBack() {
     }
 }
 
-/// The ST map holds the place in the picture of every pixel of the warped one.
+/// The ST map gives, for every pixel of the warped picture, its place in the source.
 void TestPointsCli::likeTheStMap() {
     constexpr int kSize = 80;
     Points3 centres = Points3::Zero(3, kSize * kSize);
@@ -349,7 +349,7 @@ void TestPointsCli::clouds() {
         QVERIFY(got.find("NumberOfPoints=\"20\" NumberOfCells=\"20\"") != std::string::npos);
 }
 
-/// Cells, fields and groups of a finer mesh go along.
+/// Cells, fields and groups of a finer mesh are kept.
 void TestPointsCli::wholeMeshes() {
     SimplicialMesh<3> fine = blockMesh(20, 4, 4);
     fine.points *= 0.5;
@@ -376,7 +376,7 @@ void TestPointsCli::outsideAndCovered() {
     QCOMPARE(run({"run", "turn2.wend", "--points", "in.csv", "strict.csv", "--strict"}).code, 3);
     QVERIFY(!QFile::exists(path() + "/strict.csv"));
 
-    // Two squares, of which the right one is moved over the left, in front of it or behind.
+    // The right one of two squares is moved over the left, in front of it or behind.
     put(path(), "squares.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\nf 1 2 3\nf 1 3 4\nf 5 6 "
         "7\nf 5 7 8\n");
@@ -408,7 +408,7 @@ void TestPointsCli::anyPlane_data() {
     QTest::newRow("tilted, with noise") << -1 << 4e-6;
 }
 
-/// A rotation about the origin of the plane's coordinates is one of space about the normal through its
+/// A rotation about the origin in the plane's coordinates equals one in space about the normal through its
 /// origin.
 void TestPointsCli::anyPlane() {
     QFETCH(int, across);
@@ -469,7 +469,7 @@ void TestPointsCli::noPlane() {
              qPrintable(result.error));
 }
 
-/// At 2^23 floats are 1 apart, so that a quarter is lost.
+/// At 2^23 consecutive floats are 1 apart, so that a quarter is lost.
 void TestPointsCli::singlePrecision() {
     SimplicialMesh<2> strip = stripMesh(10, 2);
     strip.points.row(0).array() += 8388608.25;
@@ -505,7 +505,7 @@ void TestPointsCli::carriedDetail_data() {
                                       << "element edge 4\n";
 }
 
-/// Points and lines of `domain.detail`, inside and outside the solid, turn with it.
+/// Points and lines of `domain.detail`, inside and outside the solid, rotate with it.
 void TestPointsCli::carriedDetail() {
     QFETCH(QString, detail);
     QFETCH(QString, out);

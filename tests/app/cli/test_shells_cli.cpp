@@ -1,4 +1,4 @@
-// domain.shells and --shells: what is inside of shells that lie one in the other.
+// domain.shells and --shells: the space inside nested shells.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -133,7 +133,7 @@ void TestShellsCli::projectsChoose() {
     QVERIFY2(wrong.error.contains("domain.shells"), qPrintable(wrong.error));
 }
 
-/// Two bodies with a wall of each at one place: filled, labelled and told.
+/// Two bodies share a wall that each of them has: they are filled and labelled, and the wall is reported.
 void TestShellsCli::sharedWalls() {
     const CliResult result = run({"mesh", "touching.obj", "-o", "t.msh"});
     QCOMPARE(result.code, 0);

@@ -1,4 +1,4 @@
-// Solids on the command line: from surfaces to files of other programs, and what is said when it cannot be.
+// Solids on the command line: from surfaces to files for other programs, and the messages where that fails.
 
 #include <QtTest>
 
@@ -402,7 +402,7 @@ void TestSolidCli::cagedSurfaceBends() {
     };
     for (int v = 0; v < 4; ++v)  // held, by the numbers that they have in the file
         QVERIFY((place(after[v]) - place(before[v])).norm() < 1e-3);
-    // The tip turned by a right angle about (1, ½, ½).
+    // The tip is rotated by a right angle about (1, ½, ½).
     const Vec3 tip = place(before.last()), turned(1 - (tip.y() - 0.5), 0.5 + (tip.x() - 1), tip.z());
     QVERIFY2((place(after.last()) - turned).norm() < 0.05, qPrintable(after.last()));
     const auto report = QJsonDocument::fromJson(readTextFile(file("bend.json")).c_str());
@@ -410,8 +410,8 @@ void TestSolidCli::cagedSurfaceBends() {
     QCOMPARE(report["flips"].toInt(), 0);
 }
 
-/// Meshing that would take hours ends at a signal, and leaves nothing behind.
-/// A bar that is moved into another one, a corner of it, and grows to three times its size on the way.
+/// Meshing that would take hours ends at a signal and leaves nothing behind. A bar moves into another one,
+/// into a corner of it, and grows to three times its size meanwhile.
 void TestSolidCli::faultsAreCounted() {
     SimplicialMesh<3> pair = barMesh(2);
     const int first = pair.vertexCount(), cells = pair.cellCount();

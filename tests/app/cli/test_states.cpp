@@ -1,5 +1,5 @@
-// States that a run keeps: what is made of them is what one run makes, to the byte, also when runs are killed
-// and when frames are divided among several.
+// States that a run keeps: outputs made from them equal those of a single run to the byte, even after runs
+// are killed or frames are divided among several.
 
 #include <QtTest>
 #include <csignal>
@@ -55,7 +55,8 @@ class TestStates : public QObject {
 
 namespace {
 
-// Two motions with a pause between them, and one beside: breakpoints, and a stretch in which nothing moves.
+// Two motions with a pause between them, and one in parallel: there are breakpoints, and an interval without
+// motion.
 const char* const kBend =
     "'handles': [{'name': 'left', 'at': {'points': [[0, 0], [0, 1], [0, 2]]}},"
     "{'name': 'right', 'at': {'points': [[10, 0], [10, 1], [10, 2]]}, 'motion': [{'kind': 'rotate', "
@@ -151,8 +152,8 @@ void TestStates::start(QProcess& process, const QStringList& arguments, const QS
         process.waitForReadyRead(20);
 }
 
-/// Each run is killed as soon as it has added something; the last one ends at a time. All of it is as if
-/// nothing had happened.
+/// Each run is killed as soon as it has added something; the last one ends by itself at some time. The result
+/// is as if nothing had happened.
 void TestStates::killedRunsGoOn() {
     const auto outputs = [](const QString& name) {
         return QStringList{"run",         "endless.wend", "--at",          "2",       "--mesh",
@@ -179,7 +180,7 @@ void TestStates::killedRunsGoOn() {
     QCOMPARE(bytes("killed.vtu"), bytes("calm.vtu"));
     for (int k = 0; k < 9; ++k)
         QCOMPARE(bytes(QString("killed_%1.vtk").arg(k)), bytes(QString("calm_%1.vtk").arg(k)));
-    // Only from a copy: the same again.
+    // A copy of the states gives the same result.
     succeed({"run", "endless.wend", "--at", "2", "--from", "k.states", "--states", "copy.states", "--mesh",
              "copied.vtu"});
     QCOMPARE(bytes("copied.vtu"), bytes("calm.vtu"));
@@ -207,7 +208,7 @@ void TestStates::cancellingIsAnswered_data() {
     for (const int milliseconds : {0, 150, 600}) QTest::addRow("%d", milliseconds) << milliseconds;
 }
 
-/// Wherever the run is, it ends with its line and leaves nothing behind.
+/// A run that is cancelled at any point prints its line and leaves nothing behind.
 void TestStates::cancellingIsAnswered() {
     QFETCH(int, milliseconds);
     QProcess process;
@@ -235,8 +236,8 @@ void TestStates::shardsMakeTheWhole_data() {
                             << "vtu" << QStringList{};
 }
 
-/// More shards than frames in one case, so that some are empty; each in a process of its own, at the same
-/// time. A lost one is made again.
+/// There are more shards than frames in one case, so that some are empty; each shard runs in a process of its
+/// own, at the same time. A lost one is made again.
 void TestStates::shardsMakeTheWhole() {
     QFETCH(QString, project);
     QFETCH(QString, extension);
@@ -270,7 +271,7 @@ void TestStates::shardsMakeTheWhole() {
     QCOMPARE(filesLike("part_*"), (QStringList{"part_02." + extension, "part_03." + extension}));
 }
 
-/// The script that a farm's jobs start: a job for each shard, and in the end what is missing.
+/// The farm script starts a job for each shard and lists those that are missing in the end.
 void TestStates::farmNamesLostShards() {
     const auto farm = [&](const QStringList& arguments) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -311,7 +312,7 @@ void TestStates::farmJobsMakeTheWhole_data() {
     QTest::newRow("Slurm") << QStringList{node, m_folder.filePath("slurm"), scripts + "slurm.sh"};
 }
 
-/// One node of Slurm with its controller is started for this. All names have blanks; options reach `wend
+/// A Slurm node with its controller is started for this test. All names have blanks; options reach `wend
 /// run`.
 void TestStates::farmJobsMakeTheWhole() {
     QFETCH(QStringList, start);
@@ -378,8 +379,8 @@ void TestStates::statesOfAnotherRunAreRefused() {
     QVERIFY(!QFile::exists(path() + "/no.vtu"));
 }
 
-/// Cut off anywhere, a file has what is before its last checkpoint, or is refused; a byte that has changed is
-/// found where it matters.
+/// A file truncated at any byte has everything before its last checkpoint, or is refused; a changed byte is
+/// detected where it matters.
 void TestStates::damagedStatesAreRefused() {
     succeed({"run", "strip.wend", "--states", "d.states", "--mesh", "right.vtu", "--fields", "none"});
     const QByteArray whole = bytes("d.states");

@@ -1,4 +1,5 @@
-// Files that are no files, or not what they seem: one printable line, exit code 3, at once.
+// Inputs that are not regular files, or not of the kind they seem: one printable line and exit code 3,
+// without delay.
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -56,7 +57,7 @@ void TestStrangeFiles::initTestCase() {
     putProject(path(), "disc.wend", "'domain': {'image': 'disc.png', 'vertices': 100}");
 }
 
-/// Every kind of thing that is no file × every place where a file is named.
+/// Every kind of irregular file is tried × at every place where a file is named.
 void TestStrangeFiles::oddInputs_data() {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("name");
@@ -189,7 +190,7 @@ void TestStrangeFiles::controlCharacters() {
     QVERIFY2(result.error.contains(shown), qPrintable(result.error));
 }
 
-/// What `info` tells goes to standard output, and so to a terminal.
+/// The output of `info` may reach a terminal, so names in it are printable.
 void TestStrangeFiles::listedNames() {
     put(path(), "named.vtk",
         "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 "

@@ -1,5 +1,5 @@
-// Stiffness along the normal of a wall, cells' values by the names of fields, and handles of flat meshes in
-// other planes than that of x and y.
+// Stiffness along the normal of a wall, values of cells by the names of fields, and handles of flat meshes in
+// planes other than that of x and y.
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -245,7 +245,7 @@ void TestWallsCli::badInput() {
     QVERIFY2(result.error.contains(message), qPrintable(result.error));
 }
 
-/// A case of one hexahedron: its points come out alone, and never in the place of those that are read.
+/// A case of one hexahedron: only its points are written, and never over those that were read.
 void TestWallsCli::openFoamCase() {
     const QString mesh = path() + "/case/constant/polyMesh/", copy = path() + "/bent/constant/polyMesh/";
     for (const QString& folder : {mesh, copy}) QVERIFY(QDir().mkpath(folder));
@@ -287,7 +287,7 @@ void TestWallsCli::otherPlanes_data() {
     QTest::newRow("tilted") << 2;
 }
 
-/// A strip that is turned in space, with what moves it, has the pose that is turned as well.
+/// A strip that is rotated in space with its handles has the rotated pose.
 void TestWallsCli::otherPlanes() {
     QFETCH(int, turn);
     Mat3 R;
@@ -313,7 +313,7 @@ void TestWallsCli::otherPlanes() {
     }
     writeMeshFile(file("flat.vtu"), flat);
     writeMeshFile(file("turned.vtu"), turned);
-    // Along a path that leads over the ends of the strip.
+    // The path extends over both ends of the strip.
     const Points3 path3 = R * (Points3(3, 3) << 0, 0.05, 0, -1, 1, 3, 0, 0, 0).finished();
     std::string flatPath, turnedPath;
     for (int k = 0; k < 3; ++k) {
@@ -333,7 +333,7 @@ void TestWallsCli::otherPlanes() {
     succeed({"run", "turned.wend", "--mesh", "turned_out.vtu"});
     const Points3 a = R * pointsIn("flat_out.vtu"), b = pointsIn("turned_out.vtu");
     QVERIFY((a - turned.points).cwiseAbs().maxCoeff() > 0.3);
-    // Turned coordinates round differently: far below the tolerance of the integration, 1e-4 of the size.
+    // Rotated coordinates round differently: far below the tolerance of the integration, 1e-4 of the size.
     QVERIFY2((a - b).cwiseAbs().maxCoeff() < 1e-5,
              qPrintable(QString::number((a - b).cwiseAbs().maxCoeff())));
 }

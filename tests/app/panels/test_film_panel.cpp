@@ -1,4 +1,4 @@
-// The panel of the film: frame rate, cycle and sound of the project, and what playing makes of the cycle.
+// The panel of the film: frame rate, cycle and sound of the project, and how playback follows the cycle.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -75,7 +75,7 @@ void TestFilmPanel::rateIsTheProjects() {
     QCOMPARE(rate->number(), 24.0);
 }
 
-/// From nothing to all of the film; numbers of one field are one step.
+/// The cycle can grow from nothing to the whole film; successive edits of one field are one step.
 void TestFilmPanel::cycleIsTheProjects() {
     QVERIFY(m_cycle->isHidden());
     cycles().click();

@@ -13,7 +13,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The card in the view that says what the colours of a map mean.
+/// The legend in the view, which explains the colours of a map.
 class TestLegend : public QObject {
     Q_OBJECT
   private slots:
@@ -31,7 +31,7 @@ class TestLegend : public QObject {
     void type();
     template <int Dim>
     void quality();
-    /// Opens a bar whose one end is pulled.
+    /// Opens a bar, one end of which is pulled.
     template <int Dim>
     static bool pull(SolidFixture& f);
 };
@@ -87,7 +87,7 @@ void TestLegend::type() {
     QVERIFY(!high->isEnabled() && !logarithmic->isEnabled());
 }
 
-/// The shape of the cells is counted in the histogram, as at rest.
+/// The histogram counts the cells by their shape, at rest as well.
 template <int Dim>
 void TestLegend::quality() {
     if (Dim == 3 && !VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");
@@ -118,7 +118,8 @@ void TestLegend::quality() {
     }
 }
 
-/// While one scrubs, the range stays; another click lets it follow again. Panel and card are one.
+/// The range stays fixed while time is scrubbed; another click lets it follow again. Panel and card share the
+/// setting.
 template <int Dim>
 void TestLegend::lock() {
     if (Dim == 3 && !VolumeView::available()) QSKIP("needs OpenGL (run under xvfb-run)");

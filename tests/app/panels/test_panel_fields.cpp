@@ -44,7 +44,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Fields of the panels, by keys and the wheel, in a window with a picture or a solid.
+/// Fields of the panels, used by keys and the wheel, in a window with a picture or a solid.
 class TestPanelFields : public QObject {
     Q_OBJECT
   private slots:
@@ -106,13 +106,13 @@ void TestPanelFields::init() {
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
 }
 
-/// The numbers for those who want them are open, too.
+/// Opens the file and expands the folded sections with numbers as well.
 bool TestPanelFields::open(bool solid) {
     m_f->window().findChild<FoldingSection*>(QStringLiteral("advanced"))->setOpen(true);
     return solid ? m_f->open() : m_f->openPicture();
 }
 
-/// One end stands, the other is moved.
+/// Holds one end and moves the other.
 bool TestPanelFields::bend(bool solid) {
     ShapeSession& session = m_f->session();
     if (solid) {
@@ -139,7 +139,7 @@ QWidget& TestPanelFields::side() {
     return *m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
 }
 
-/// Each has panels of its own.
+/// Runs the check in every step, since each has its own panels.
 void TestPanelFields::inEveryStep(const std::function<void()>& check) {
     for (const Mode mode : kModes) {
         m_f->window().tools().setMode(mode);
@@ -159,7 +159,7 @@ void TestPanelFields::pictureAndSolid() {
     QTest::newRow("solid") << true;
 }
 
-/// Null where the widget is no field.
+/// Returns a null string if the widget is not a field.
 QString TestPanelFields::valueOf(const QWidget& field) {
     if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&field)) return box->text();
     if (const auto* slider = qobject_cast<const QSlider*>(&field)) return QString::number(slider->value());
@@ -167,7 +167,8 @@ QString TestPanelFields::valueOf(const QWidget& field) {
     return {};
 }
 
-/// As it comes from the screen: the window finds out what is under the pointer, and who gets the keyboard.
+/// Sends the event as the screen does: the window decides which widget is under the pointer and which gets
+/// the keyboard.
 void TestPanelFields::turnWheel(const QWidget& over, int notches) {
     MainWindow& window = m_f->window();
     const QPoint global = over.mapToGlobal(over.rect().center());
@@ -194,7 +195,7 @@ void TestPanelFields::numbersCanBeTyped_data() {
     pictureAndSolid();
 }
 
-/// What is typed is not shown anew before it is complete, and is one step then.
+/// A partly typed number is not reformatted; once complete, it is one step.
 void TestPanelFields::numbersCanBeTyped() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -224,7 +225,7 @@ void TestPanelFields::numbersCanBeTyped() {
     QCOMPARE(m_f->domain().vertices, 450);
 }
 
-/// A motion that plays, or is being computed, brings frames all the time.
+/// Frames arrive continuously while a motion plays or is being computed.
 void TestPanelFields::eitherPointCanBeTyped_data() {
     QTest::addColumn<QLocale>("locale");
     QTest::addColumn<QString>("text");
@@ -233,8 +234,8 @@ void TestPanelFields::eitherPointCanBeTyped_data() {
             QTest::addRow("%s %s", name, text) << QLocale(QLatin1String(name)) << text;
 }
 
-/// Numbers of documents have points, those of the language may have commas; what the box then shows can be
-/// typed again.
+/// Numbers in documents have points, those of the language may have commas; the text that the box then shows
+/// can be typed again.
 void TestPanelFields::eitherPointCanBeTyped() {
     QFETCH(QLocale, locale);
     QFETCH(QString, text);
@@ -290,7 +291,7 @@ void TestPanelFields::enterGivesTheKeyboardBack_data() {
     pictureAndSolid();
 }
 
-/// All of them, whether they are shown just then or not; the next key is for the view.
+/// Enter leaves each field, whether it is shown at the moment or not; the next key is for the view.
 void TestPanelFields::enterGivesTheKeyboardBack() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -322,7 +323,7 @@ void TestPanelFields::escapeGivesTheKeyboardBack_data() {
     pictureAndSolid();
 }
 
-/// Wherever Tab leads to, not in the fields alone; a number that was being typed is as it was.
+/// Escape works wherever Tab leads, not only in fields; a number that was being typed is restored.
 void TestPanelFields::escapeGivesTheKeyboardBack() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -359,7 +360,7 @@ void TestPanelFields::stepsKeepTheKeyboard_data() {
     pictureAndSolid();
 }
 
-/// What a change shows anew is not hidden in between.
+/// Widgets that a change updates are not hidden in between.
 void TestPanelFields::stepsKeepTheKeyboard() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -409,7 +410,7 @@ void TestPanelFields::wheelScrollsThePanels_data() {
     pictureAndSolid();
 }
 
-/// What was clicked takes the wheel, and nothing else does.
+/// A field takes the wheel only after it was clicked.
 void TestPanelFields::wheelScrollsThePanels() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -440,7 +441,7 @@ void TestPanelFields::wheelScrollsThePanels() {
                 bar.setValue(at);
             }
             seen << field;
-            // A direction keeps its length, and so one number of it.
+            // A direction keeps its length, and so restricts one of its numbers.
             if (!field->isEnabled() || qobject_cast<QComboBox*>(field) || name.startsWith("Normal")) continue;
             field->setFocus();
             const QString before = valueOf(*field);
@@ -499,8 +500,8 @@ void TestPanelFields::clicksOnSlidersAreStepsOfTheirOwn() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// Hints end before the numbers, and not in the middle of a sentence where a whole one fits; the tooltip has
-/// all of it.
+/// Hints are shortened before the numbers are, and never in the middle of a sentence where a whole one fits;
+/// the tooltip has the full text.
 void TestPanelFields::hintsFitBesideTheNumbers() {
     QVERIFY(open(true));
     const QStatusBar& bar = *m_f->window().statusBar();
@@ -543,7 +544,8 @@ void TestPanelFields::hintsFitBesideTheNumbers() {
     QCOMPARE(bar.currentMessage(), QString());
 }
 
-/// Of all that a project may have, to its ends: none is cut off, and showing it does not change it.
+/// Every field can show the extreme values of its setting: none is cut off, and showing it does not change
+/// it.
 void TestPanelFields::fieldsShowAnyValueOfTheirSetting() {
     int seen = 0;
     for (const Option& one : options()) {
@@ -581,7 +583,7 @@ void TestPanelFields::spaceTappedPlays_data() {
     pictureAndSolid();
 }
 
-/// Whether that has changed what plays.
+/// Taps the space bar and returns whether that toggled playback.
 bool TestPanelFields::tapSpace(QWidget& on) {
     const Playback& playback = m_f->session().playback();
     const bool before = playback.isPlaying();
@@ -590,8 +592,8 @@ bool TestPanelFields::tapSpace(QWidget& on) {
     return playback.isPlaying() != before;
 }
 
-/// On the view and where nothing else wants it; in a field it is a letter, on a button and in a list it is
-/// theirs. Held until it repeats, or with the mouse in between, it is no tap.
+/// A tap plays on the view and wherever no other widget uses the space bar; fields, buttons and lists keep
+/// it. Held until it repeats, or combined with the mouse, it is not a tap.
 void TestPanelFields::spaceTappedPlays() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -631,7 +633,8 @@ void TestPanelFields::spaceHeldMovesTheView_data() {
     pictureAndSolid();
 }
 
-/// As far as the hand goes, without a turn; afterwards the tool has the button again, and nothing plays.
+/// The view moves as far as the pointer, without a rotation; afterwards the tool has the button again, and
+/// nothing plays.
 void TestPanelFields::spaceHeldMovesTheView() {
     QFETCH(bool, solid);
     QVERIFY(open(solid) && bend(solid));
@@ -667,8 +670,8 @@ void TestPanelFields::reachIsNearToFar_data() {
     pictureAndSolid();
 }
 
-/// The slider and the number are one setting: what the one says the other shows, farther is more, and what
-/// lies beyond the slider's ends stays as it is.
+/// The slider and the number are one setting and follow each other: farther is more, and values beyond the
+/// slider's ends stay as they are.
 void TestPanelFields::reachIsNearToFar() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -709,7 +712,7 @@ void TestPanelFields::tipsShowPictures_data() {
     pictureAndSolid();
 }
 
-/// As the pointer that rests there gets it: rich text with so many drawings.
+/// Returns whether the tooltip appears under a resting pointer, as rich text with this number of drawings.
 bool TestPanelFields::showsTip(QWidget& widget, int pictures) {
     const QPoint at = widget.rect().center();
     QHelpEvent event(QEvent::ToolTip, at, widget.mapToGlobal(at));
@@ -770,7 +773,8 @@ void TestPanelFields::numbersAreTakenBeforeTheWindowGoes_data() {
     pictureAndSolid();
 }
 
-/// Who closes the window in the middle of a number is asked whether to save; and it goes with one half typed.
+/// Closing the window while a number is being typed asks whether to save; the window also closes with one
+/// half typed.
 void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
     QFETCH(bool, solid);
     QVERIFY(open(solid) && bend(solid));
@@ -808,7 +812,7 @@ void TestPanelFields::namesAreTakenBeforeSaving_data() {
     pictureAndSolid();
 }
 
-/// A name that is still being typed goes into the file, too.
+/// A name that is still being typed is saved, too.
 void TestPanelFields::namesAreTakenBeforeSaving() {
     QFETCH(bool, solid);
     QVERIFY(open(solid) && bend(solid));

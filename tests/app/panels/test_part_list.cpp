@@ -1,5 +1,5 @@
-// A file with layers in the window: opened as parts, which a list hides, renames, orders, joins and lets
-// ride; the canvas shows what the export writes.
+// A file with layers in the window: its layers become parts, which a list hides, renames, orders, joins and
+// embeds in one another; the canvas shows the same as the export.
 
 #include <Eigen/Geometry>
 #include <QAbstractButton>
@@ -108,8 +108,8 @@ void TestPartList::init() {
     QVERIFY(m_f->openFile(path));
 }
 
-/// A layer that is too small for a mesh rides; one click makes the file's picture of them, which undo takes
-/// back.
+/// A layer that is too small for a mesh is embedded in another part; one click merges the parts into the
+/// file's picture, which undo reverts.
 void TestPartList::layersAreParts() {
     QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
     QCOMPARE(parts()[0].ridesOn, std::string("bar"));
@@ -164,7 +164,7 @@ void TestPartList::listChangesParts() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// Under the hand, and when it has let go, both parts are together at the joint.
+/// During the drag and after the release both parts are together at the joint.
 void TestPartList::dragged() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
@@ -243,7 +243,7 @@ void TestPartList::canvasIsTheExport() {
     QVERIFY(colours.contains(both));
 }
 
-/// Normal is what a layer's file does not say, or what the project says against it.
+/// Without a mode in the layer's file the part is Normal; the project may override either.
 void TestPartList::partIsBlended() {
     auto* blend = panel().findChild<QComboBox*>("partBlend");
     list().setCurrentRow(1);
@@ -267,7 +267,7 @@ void TestPartList::partIsBlended() {
     QCOMPARE(blend->currentText(), QString("Multiply"));
 }
 
-/// The first is in front; a file that is no picture is refused by its name.
+/// The first picture is in front; a file that is not a picture is refused by its name.
 void TestPartList::picturesOpenTogether() {
     const QString front = m_folder.filePath("a.png"), back = m_folder.filePath("b/a.png");
     QVERIFY(QDir(m_folder.path()).mkpath("b"));
@@ -296,7 +296,7 @@ void TestPartList::picturesOpenTogether() {
     QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
 }
 
-/// Of the part that is chosen in the list, until all have the same again.
+/// The settings change the part that is chosen in the list, until all have the same again.
 void TestPartList::partsHaveTheirOutlines() {
     QVERIFY(settle(m_f->session()));
     MeshPanel& mesh = m_f->window().properties().mesh();
@@ -368,7 +368,7 @@ void TestPartList::outlinesOfPartsAreDrawn() {
     QVERIFY(bar > 155);
 }
 
-/// The pictures of a time before and of one after say which is in front.
+/// The order can be set at an earlier time and again at a later one.
 void TestPartList::orderChangesFromHere() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
@@ -403,7 +403,7 @@ void TestPartList::orderChangesFromHere() {
     QVERIFY(colourAt(0.75).red() > 250);
 }
 
-/// A click reaches what is behind a hidden part.
+/// A click passes through a hidden part to the one behind it.
 void TestPartList::hiddenPartsAreNotTouched() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -419,8 +419,8 @@ void TestPartList::hiddenPartsAreNotTouched() {
     QCOMPARE(touched(), std::string("board"));
 }
 
-/// A click on the sign at the end of a row locks: pins are set through the part, its own ones stay, and
-/// neither the shape nor its motion are computed anew.
+/// A click on the lock at the end of a row locks the part: pins are set through it, its own ones stay, and
+/// neither the shape nor its motion is computed again.
 void TestPartList::lockedPartsAreLeftAlone() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -454,7 +454,7 @@ void TestPartList::lock(int row) {
     panel().findChild<QAbstractButton*>("partLock")->click();
 }
 
-/// Presses at the first place of the document, and lets go at the last one.
+/// Presses at the first place of the document and releases at the last.
 void TestPartList::stroke(const std::vector<Vec2>& way, Qt::KeyboardModifiers modifiers) {
     ShapeCanvas& canvas = m_f->window().canvas();
     QTest::mousePress(&canvas, Qt::LeftButton, modifiers, canvas.toWidget(way.front()).toPoint());
@@ -476,7 +476,7 @@ bool TestPartList::isPainted(std::size_t part) {
                        [](double value) { return std::abs(value - phi::kMetr) > 1e-6; });
 }
 
-/// A stroke paints the part on which it began, and where that is locked, the one below.
+/// A stroke paints the part on which it began, or, if that is locked, the one below.
 void TestPartList::paintBelongsToParts() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -578,7 +578,7 @@ void TestPartList::detailBelongsToParts() {
     QVERIFY(near(pointsOf("board")) > near(board));
 }
 
-/// While a part of a photograph is being made, nothing is dragged, and that is said in plain words.
+/// While a part of a photograph is being made, nothing can be dragged, and a message says so.
 void TestPartList::dragsWaitForParts() {
     const QString path = m_folder.filePath("photo.png");
     writeImage(path.toStdString(), plainPicture(180, 120, {90, 120, 60}));
@@ -602,8 +602,8 @@ void TestPartList::dragsWaitForParts() {
     session.gestures().cancel();
 }
 
-/// A part that is made before the shape knows the new name of another one is cut from that; one that is made
-/// before there are parts to cut from waits, in plain words.
+/// A part drawn before the shape knows another part's new name is cut from that part; one drawn before there
+/// are parts to cut from waits, with a message.
 void TestPartList::renamedPartIsCut() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -669,7 +669,7 @@ void TestPartList::noteNamesTheFilling() {
     QVERIFY(settle(session));
 }
 
-/// Neither does a lasso change the outline of a locked part, nor does it cut a part out of it.
+/// A lasso neither changes the outline of a locked part nor cuts a part out of it.
 void TestPartList::outlinesOfLockedPartsStay() {
     QVERIFY(settle(m_f->session()));
     lock(1);
@@ -692,7 +692,7 @@ void TestPartList::outlinesOfLockedPartsStay() {
     QCOMPARE(parts().size(), std::size_t{3});
 }
 
-/// The field is there for what was cut out, whose picture is remade.
+/// The field appears for parts that were cut out, whose picture is remade.
 void TestPartList::edgesAreSoftened() {
     auto* edge = panel().findChild<QDoubleSpinBox*>("partFeather");
     list().setCurrentRow(1);
@@ -725,7 +725,7 @@ void TestPartList::edgesAreSoftened() {
     QCOMPARE(parts()[0].feather, 0.0);
 }
 
-/// The bar has no pin and is the smaller one; a click attaches it, and it goes along.
+/// The bar has no pin and is the smaller part; a click attaches it to the other, which it then follows.
 void TestPartList::whatStaysBehindMayRide() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
@@ -754,7 +754,8 @@ void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
     QTest::newRow("smaller") << 60 << QStringList{"ball on arm", "head on arm", "eye on head"};
 }
 
-/// An eye on a head without a pin is not for the arm beside it; it follows the head if that follows the arm.
+/// An eye on a head without a pin is not offered to the arm beside it; it follows the head if that follows
+/// the arm.
 void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
     QFETCH(int, headSize);
     QFETCH(QStringList, expected);

@@ -22,8 +22,8 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Regions of a picture in lists and numbers: where its mesh is finer, what lies in front, and how large the
-/// circle of a pin is.
+/// Regions of a picture in lists and numbers: where its mesh is finer, which places are in front, and how
+/// large the circle of a pin is.
 class TestRegionList : public QObject {
     Q_OBJECT
   private slots:
@@ -68,7 +68,7 @@ void TestRegionList::kinds() {
     QTest::newRow("depth") << static_cast<int>(RegionsOf::Depth);
 }
 
-/// With the tool that brushes them.
+/// Opens the step with the tool that paints these regions.
 bool TestRegionList::open(RegionsOf of) {
     if (!m_f->openPicture()) return false;
     m_f->tool(of == RegionsOf::Detail ? "sizes" : "depth")->trigger();
@@ -159,7 +159,7 @@ void TestRegionList::paintOfOneNameStaysApart() {
     QVERIFY(layers.size() == 2 && read().size() == 2);
 }
 
-/// What changes nothing is no step: a stroke that evens out what is even.
+/// A stroke that evens out an even value changes nothing and adds no undo step.
 void TestRegionList::strokesWithoutEffectAreNoSteps() {
     QVERIFY(open(RegionsOf::Depth));
     Document& document = m_f->session().document();
@@ -170,8 +170,8 @@ void TestRegionList::strokesWithoutEffectAreNoSteps() {
     QCOMPARE(document.undoStack()->count(), steps);
 }
 
-/// The last one on top, with its number, which can be changed; renamed by typing, and removed. Each is a
-/// step.
+/// The last stroke is on top, with its number, which can be changed; it can be renamed by typing and removed.
+/// Each change is a step.
 void TestRegionList::strokesAreListed() {
     QFETCH(int, kind);
     const auto of = static_cast<RegionsOf>(kind);
@@ -203,7 +203,7 @@ void TestRegionList::strokesAreListed() {
     undo().undo();
     QCOMPARE(layers(of)[0].value, before);
     QCOMPARE(list.currentRow(), 1);
-    // Another name.
+    // The layer is renamed.
     list.setFocus();
     list.editItem(list.item(1));
     auto* editor = list.findChild<QLineEdit*>();
@@ -213,7 +213,7 @@ void TestRegionList::strokesAreListed() {
     QTest::keyClick(editor, Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return layers(of)[0].name == "Knee"; }, 20000));
     QCOMPARE(list.currentItem()->text(), QStringLiteral("Knee"));
-    // Away, and back.
+    // The layer is removed and restored.
     const int count = undo().count();
     QTest::mouseClick(part("Remove"), Qt::LeftButton);
     QCOMPARE(layers(of).size(), std::size_t(1));
@@ -226,7 +226,7 @@ void TestRegionList::strokesAreListed() {
     m_f->picture(QStringLiteral("regions-%1").arg(kind));
 }
 
-/// On the shape, as long as the list is seen.
+/// The outline is shown on the shape as long as the list is visible.
 void TestRegionList::chosenOnesAreOutlined() {
     QFETCH(int, kind);
     const auto of = static_cast<RegionsOf>(kind);
@@ -258,7 +258,7 @@ void TestRegionList::chosenOnesAreOutlined() {
     QVERIFY(!differAtTheEdge(posing, seen()));
 }
 
-/// Also what has no name, of any shape.
+/// Regions without a name, of any shape, are listed too.
 void TestRegionList::whatAFileHasIsListed() {
     QVERIFY(open(RegionsOf::Depth));
     Project next = m_f->project();
@@ -280,7 +280,8 @@ void TestRegionList::whatAFileHasIsListed() {
     QVERIFY(QTest::qWaitFor([&] { return m_f->project().depth[1].name == "Ear"; }, 20000));
 }
 
-/// That of a pin which holds a part: a number that is one step, and that is not taken where it holds nothing.
+/// The radius of a pin that holds a part is a number; changing it is one step, and a radius that holds
+/// nothing is refused.
 void TestRegionList::circlesHaveARadius() {
     QVERIFY(m_f->openPicture());
     auto* field = m_f->window().findChild<QDoubleSpinBox*>(QStringLiteral("circleRadius"));

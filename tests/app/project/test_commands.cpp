@@ -17,7 +17,7 @@
 using namespace wend;
 using wend::test::withPin;
 
-/// What gestures make of a project, and undo.
+/// Gestures applied to a project, and their undo.
 class TestCommands : public QObject {
     Q_OBJECT
   private slots:
@@ -159,7 +159,7 @@ void TestCommands::laterPinsBeginAtTheEnd() {
     QCOMPARE(handlesOf(later)[2].activeFrom, 1.0);
     QVERIFY(isActive(handlesOf(later)[2], 1.0));
     QVERIFY(!isActive(handlesOf(later)[2], 0.5));
-    // It never acted: gone without a trace.
+    // The handle never acted and is removed without a trace.
     QCOMPARE(handlesOf(without(later, {2}, 1)).size(), std::size_t(2));
 }
 
@@ -172,7 +172,7 @@ void TestCommands::removedPinsThatActedAreLetGo() {
     QVERIFY(!isActive(handlesOf(removed)[0], 1.0));
 }
 
-/// Each stroke has a part of the film as long as its way, and no pose on the way changes.
+/// Each stroke takes a share of the film in proportion to its length, and no pose along it changes.
 void TestCommands::filmsKeepTheirLength() {
     const Project once =
         withStroke(withPins(2), {0, 1}, {{0, 5, 0}, {10, 5, 0}}, {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}});
@@ -191,14 +191,14 @@ void TestCommands::filmsKeepTheirLength() {
     QCOMPARE(handlesOf(thrice)[0].motions.at(0).end, 7.0 / 28);
     QCOMPARE(handlesOf(thrice)[0].motions.at(1).end, 21.0 / 28);
     QCOMPARE(handlesOf(thrice)[1].motions.at(1).end, 1.0);
-    // A turn goes as far as what it turns: 0.7 radians, 10 from its centre.
+    // A rotation counts as long as the arc it covers: 0.7 radians, 10 from its centre.
     const Gesture turn{{0}, {Grip::Kind::Turn}, {Amount(0, 0, 0), Amount(0.7, 0, 0)}, 1, 10};
     const Project turned = withGesture(once, turn, {{3, 9, 0}});
     QVERIFY(std::abs(handlesOf(turned)[0].motions.at(0).end - 0.5) < 1e-12);
 }
 
-/// What the dragged pin did later goes, the rest of the film is the drag's; others do what they did, when
-/// they did it.
+/// The later motions of the dragged pin are removed, and the rest of the film belongs to the drag; others
+/// keep their motions and times.
 void TestCommands::earlierStrokesReplaceTheirOwn() {
     Project project = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     project = withStroke(project, {1}, {{10, 5, 0}}, {{0, 0, 0}, {0, 10, 0}});
@@ -217,7 +217,7 @@ void TestCommands::earlierStrokesReplaceTheirOwn() {
     QCOMPARE(motions[1].start, 0.25);
     QCOMPARE(motions[1].end, project.end);
     QCOMPARE(std::get<Recorded<3>>(motions[1].kind).times.at(1), 1.0 / 3);
-    // A pin that is let go of later holds on; from the beginning nothing of its own is left.
+    // A pin that is released later holds on; from the beginning nothing of its own is left.
     gesture.handles = {1};
     const Project held = withGesture(project, gesture, {{10, 5, 0}});
     QVERIFY(isActive(handlesOf(held)[1], project.end) && handlesOf(held)[1].motions.size() == 1);
@@ -226,7 +226,7 @@ void TestCommands::earlierStrokesReplaceTheirOwn() {
     QCOMPARE(handlesOf(withGesture(project, gesture, {{0, 5, 0}}))[0].motions.size(), std::size_t(1));
 }
 
-/// Where a handle cannot go further, what it should have done goes, too, whoever is dragged.
+/// Where a handle cannot go further, the rest of its motions is removed, too, whichever handle is dragged.
 void TestCommands::strokesThatEndAllReplaceAll() {
     Project project = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     project = withStroke(project, {1}, {{10, 5, 0}}, {{0, 0, 0}, {0, 10, 0}});
@@ -248,8 +248,8 @@ void TestCommands::strokesThatEndAllReplaceAll() {
     QVERIFY(!movesAfter(next.design, 1.0));
 }
 
-/// What follows one another in proportion to its way is only posed, whatever it turns; with a rest, an
-/// overlap, another pace, a soft beginning or the rhythm of a hand it is timed.
+/// Motions that follow one another in proportion to their lengths are only poses, even rotations; a rest, an
+/// overlap, another pace, a soft start or a recorded rhythm makes them timed.
 void TestCommands::posesAreNoFilm() {
     Project posed =
         withStroke(withPins(3), {0, 1}, {{0, 5, 0}, {10, 5, 0}}, {{0, 0, 0}, {30, 0, 0}, {30, 5, 0}});
@@ -284,7 +284,7 @@ void TestCommands::cutMotionsGoTheSameWay_data() {
     for (int kind = 0; kind < 6; ++kind) QTest::addRow("kind %d", kind) << kind;
 }
 
-/// Points that a cut motion carries are, at each of its times, where the whole one has them on its way.
+/// Points carried by a cut motion are, at each of its times, where the whole motion has them on its path.
 void TestCommands::cutMotionsGoTheSameWay() {
     QFETCH(int, kind);
     const std::vector<Vec3> points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {30, 10, 0}};
@@ -311,7 +311,7 @@ void TestCommands::cutMotionsGoTheSameWay() {
     QVERIFY(handle.motions.empty());
 }
 
-/// Their times are others, their way is not.
+/// The times differ, the path does not.
 void TestCommands::cutSplinesRunAlongTheWholeOnes() {
     PinMotion motion;
     motion.start = 0, motion.end = 1;
@@ -354,7 +354,7 @@ void TestCommands::anotherLengthIsTheSameMotion() {
     QVERIFY(wend::firstDifference(handlesOf(project), handlesOf(other)) < 0.5);
 }
 
-/// Behind the motion that it follows, whatever comes later, and as long as its share of the film.
+/// Settling follows its motion directly, before any later ones, and lasts its share of the film.
 void TestCommands::settlingKeepsItsPlace() {
     Project project = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     appendSettling(project, 1);
@@ -383,7 +383,7 @@ void TestCommands::longerStrokesKeepOneMotion() {
     QCOMPARE(handlesOf(project)[0].motions[1].start, 0.5);
     project = withLongerStroke(project, {0}, {0, 4, 0});
     QCOMPARE(handlesOf(project)[0].motions[1].start, 1.0 / 3);
-    // Since an earlier time it stays there, and others where they are.
+    // A pin set at an earlier time stays there, and others keep their places.
     Project beside = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     beside = withGesture(beside, {{1}, {}, {Amount(0, 0, 0), Amount(1, 0, 0)}, 0.25}, {{10, 5, 0}});
     beside = withLongerStroke(beside, {1}, {1, 0, 0}, 1, false);

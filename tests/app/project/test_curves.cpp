@@ -184,7 +184,7 @@ void TestCurves::pointsOnOtherCurves() {
     });
 }
 
-/// Points that are one up to rounding have no piece between them.
+/// Points that coincide up to rounding have no piece between them.
 void TestCurves::repeatedPointsCountOnce() {
     inBoth([](auto) {
         const auto x = [](double value) -> Vec3 { return value * Vec3::UnitX(); };

@@ -10,7 +10,7 @@
 
 using namespace wend;
 
-/// Work beside the window and what becomes of its result.
+/// Work in the background and the delivery of its results.
 class TestInBackground : public QObject {
     Q_OBJECT
   private slots:
@@ -40,7 +40,7 @@ void TestInBackground::resultsComeBack() {
     QTRY_VERIFY(context.children().isEmpty());  // nothing piles up
 }
 
-/// A dialog that is closed while its preview is drawn; also between the end of the work and its event.
+/// A dialog may be closed while its preview is drawn, or between the end of the work and its event.
 void TestInBackground::whatIsGoneIsNotCalled() {
     for (const bool finishesFirst : {false, true}) {
         QSemaphore mayGoOn;
@@ -72,7 +72,7 @@ void TestInBackground::workMayThrow() {
     QVERIFY(!called);
 }
 
-/// In the thread of the object, one for each turn of its loop.
+/// Calls run in the thread of the object, one in each turn of its event loop.
 void TestInBackground::callsComeInTheirOrder() {
     constexpr int kCalls = 200;
     HandOver out;
