@@ -178,6 +178,8 @@ void TestInputFormats::glbOfKinds_data() {
     QTest::newRow("triangles") << kTriangles << 2 << 2;
     QTest::newRow("no indices, fan") << "{'attributes': {'POSITION': 0}, 'mode': 6}" << 2 << 2;
     QTest::newRow("strip") << "{'attributes': {'POSITION': 0}, 'indices': 2, 'mode': 5}" << 2 << 2;
+    QTest::newRow("strip with a corner twice")
+        << "{'attributes': {'POSITION': 0}, 'indices': 1, 'mode': 5}" << 3 << 3;
     QTest::newRow("lines beside triangles")
         << QString(kTriangles) + ", {'attributes': {'POSITION': 0}, 'mode': 2}" << 2 << 6;
     QTest::newRow("points beside triangles")

@@ -322,8 +322,8 @@ class TestMeshDamage : public QObject {
                "of the points first, as MeshLab and CloudCompare do";
         QTest::newRow("ply of strips")
             << "a.ply"
-            << cloud + "element tristrips 1\nproperty list int int vertex_indices\n" + two + "3 0 1 0\n"
-            << "line 12: its triangles are in strips, which are not read";
+            << cloud + "element tristrips 1\nproperty list int int vertex_indices\n" + two + "3 0 1 2\n"
+            << "strip 0 names vertex 2, but there are only 2 (counted from 0)";
         QTest::newRow("off appearance")
             << "a.off" << QByteArray("appearance {\n+face {\n}\nOFF\n3 1 0\n")
             << "line 5: the file ends where the end of the appearance is expected";

@@ -114,6 +114,15 @@ class TestMeshReading : public QObject {
             "element face 2\nproperty uchar flags\nproperty list uchar uint vertex_indices\n"
             "property list uchar float texcoord\nend_header\n"
             "1 2 0.5 0.5\n3 0\n0 0 0 0\n0 0 1 7 1\n0 1 0 1\n0 1 2 7 7 0\n0 3 0 1 2 2 .1 .2\n1 3 0 2 3 0\n");
+        const auto strips = [](const char* lists) {
+            return std::string(
+                       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                       "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                       "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n") +
+                   lists;
+        };
+        add("ply, strips that end within a list", "a.ply", strips("9 0 1 2 -1 -1 0 2 3 -1\n"));
+        add("ply, a strip that turns a corner", "a.ply", strips("6 0 1 2 2 0 3\n"));
         add("stl", "a.stl",
             "SOLID\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\n"
             "endfacet\nendsolid\nsolid again\nfacet normal nan nan nan\nouter loop\nvertex -0 0 0\n"

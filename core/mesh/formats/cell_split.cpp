@@ -43,12 +43,13 @@ std::vector<std::array<int, 3>> splitFace(const CellFace& face, std::span<const 
 }
 
 /// Returns the triangles of a strip: every corner forms one with the two before it, and every second one is
-/// reversed to keep the orientation.
+/// reversed to keep the orientation. A triangle that has a corner twice only leads the strip on.
 std::vector<std::array<int, 3>> splitStrip(std::span<const int> corners) {
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t k = 2; k < corners.size(); ++k) {
         const bool odd = k % 2 != 0;
-        triangles.push_back({corners[k - (odd ? 1 : 2)], corners[k - (odd ? 2 : 1)], corners[k]});
+        const int a = corners[k - (odd ? 1 : 2)], b = corners[k - (odd ? 2 : 1)], c = corners[k];
+        if (a != b && b != c && c != a) triangles.push_back({a, b, c});
     }
     return triangles;
 }

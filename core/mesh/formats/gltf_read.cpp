@@ -347,7 +347,9 @@ class GltfReader {
         if (mode == Triangles)
             for (std::size_t i = 0; i + 2 < n; i += 3) triangle(i, i + 1, i + 2);
         if (mode == Strip)
-            for (std::size_t i = 0; i + 2 < n; ++i) triangle(i, i + 1 + i % 2, i + 2 - i % 2);
+            for (std::size_t i = 0; i + 2 < n; ++i)  // one with a corner twice only leads the strip on
+                if (order[i] != order[i + 1] && order[i + 1] != order[i + 2] && order[i] != order[i + 2])
+                    triangle(i, i + 1 + i % 2, i + 2 - i % 2);
         if (mode == Fan)
             for (std::size_t i = 1; i + 1 < n; ++i) triangle(i, i + 1, 0);
         return cells;

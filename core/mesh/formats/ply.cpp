@@ -36,6 +36,8 @@ struct Element {
     }
 };
 
+constexpr std::string_view kTakenElements[] = {"vertex", "face", "tristrips", "edge"};
+
 struct Polygons {
     std::vector<std::int64_t> corners;  // of all faces, one behind the other
     std::vector<int> sizes;
@@ -70,9 +72,10 @@ class PlyReader {
         MeshFile file;
         takeVertices(file);
         takeFaces(file);
+        takeStrips(file);
         takeEdges(file);
         for (const Element& other : m_elements)
-            if (other.name != "vertex" && other.name != "face" && other.name != "edge" && other.count > 0)
+            if (other.count > 0 && std::ranges::count(kTakenElements, other.name) == 0)
                 file.notices.push_back("the " + std::to_string(other.count) + " items of its element " +
                                        inQuotes(other.name));
         addGroupsOfFields(file);
@@ -150,21 +153,25 @@ class PlyReader {
         for (int i = 0; i < count; ++i)
             for (auto& property : element.properties)
                 if (const auto countType = property.countType)
-                    readList(property, *countType, element.name == "face", numbers);
+                    readList(property, *countType, element.name, numbers);
                 else
                     property.values.push_back(numbers.real(property.type, property.name.c_str()));
     }
-    void readList(const Property& property, Scalar countType, bool ofFace, NumberReader& numbers) {
+    /// Reads a list: the corners of a face or strip, the texture coordinates of a face, or another one, which
+    /// is skipped.
+    void readList(const Property& property, Scalar countType, std::string_view of, NumberReader& numbers) {
         const int size = numbers.count(countType, "list entries", 1, property.type);
-        const bool wanted = ofFace && property.isCorners(), texture = ofFace && property.isTexture();
-        if (wanted) m_polygons.sizes.push_back(size);
+        const bool ofFace = of == "face", texture = ofFace && property.isTexture();
+        const bool wanted = property.isCorners() && (ofFace || of == "tristrips");
+        Polygons& polygons = ofFace ? m_polygons : m_strips;
+        if (wanted) polygons.sizes.push_back(size);
         for (int k = 0; k < size; ++k) {
             if (texture)
                 m_polygons.texture.push_back(numbers.real(property.type, "a texture coordinate"));
             else if (!wanted)
                 numbers.real(property.type, "a list entry");
             else
-                m_polygons.corners.push_back(numbers.integer(property.type, "a vertex number"));
+                polygons.corners.push_back(numbers.integer(property.type, "a vertex number"));
         }
     }
 
@@ -196,9 +203,8 @@ class PlyReader {
             if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
                 file.fields.push_back({property.name, false, 1, property.values, {}, property.type});
     }
-    /// Takes the faces, which may be polygons. Triangle strips are refused.
+    /// Takes the faces, which may be polygons.
     void takeFaces(MeshFile& file) {
-        if (element("tristrips")) m_scanner.fail("its triangles are in strips, which are not read");
         if (!element("face")) return;  // points alone
         const Element& faces = *element("face");
         std::vector<int> polygon;
@@ -206,7 +212,7 @@ class PlyReader {
         for (std::size_t f = 0; f < m_polygons.sizes.size(); ++f) {
             polygon.clear();
             for (int k = 0; k < m_polygons.sizes[f]; ++k)
-                polygon.push_back(corner(m_polygons.corners[at++], f, file));
+                polygon.push_back(corner(m_polygons.corners[at++], "face", f, file));
             if (polygon.size() >= 3)
                 file.cells.addFace(polygon);
             else
@@ -222,6 +228,25 @@ class PlyReader {
             else if (!property.isCorners())
                 file.notices.push_back("the lists " + inQuotes(property.name) + " of its faces");
     }
+    /// Takes the triangle strips, as scanners write them: −1 ends a strip within a list.
+    void takeStrips(MeshFile& file) {
+        const int faces = file.cells.size();
+        std::vector<int> strip;
+        const auto endStrip = [&] {
+            if (strip.size() >= 3) file.cells.add(CellKind::TriangleStrip, strip);
+            strip.clear();
+        };
+        std::size_t at = 0;
+        for (std::size_t s = 0; s < m_strips.sizes.size(); ++s) {
+            for (int k = 0; k < m_strips.sizes[s]; ++k)
+                if (const std::int64_t next = m_strips.corners[at++]; next == -1)
+                    endStrip();
+                else
+                    strip.push_back(corner(next, "strip", s, file));
+            endStrip();
+        }
+        lengthenFields(file, file.cells.size() - faces);
+    }
     /// Takes the texture points of all corners; for a vertex the first one counts.
     void takeTexture(MeshFile& file) const {
         if (file.uv.cols() > 0) return;
@@ -236,19 +261,23 @@ class PlyReader {
         const auto *first = edges->find("vertex1"), *second = edges->find("vertex2");
         if (!first || !second) m_scanner.fail("the edges have no vertex1 and vertex2");
         for (std::size_t e = 0; e < first->values.size(); ++e)
-            file.cells.add(CellKind::Line, std::array{corner(whole(first->values[e]), e, file),
-                                                      corner(whole(second->values[e]), e, file)});
+            file.cells.add(CellKind::Line, std::array{corner(whole(first->values[e]), "edge", e, file),
+                                                      corner(whole(second->values[e]), "edge", e, file)});
+        lengthenFields(file, static_cast<int>(first->values.size()));
+    }
+    /// Gives cells without values zeros in the fields of the faces.
+    static void lengthenFields(MeshFile& file, int cells) {
         for (MeshField& field : file.fields)
-            if (field.perCell) field.values.resize(field.values.size() + first->values.size(), 0);
+            if (field.perCell) field.values.resize(field.values.size() + static_cast<std::size_t>(cells), 0);
     }
     static std::int64_t whole(double value) {
         return std::abs(value) < 4e9 ? static_cast<std::int64_t>(value) : -1;
     }
-    int corner(std::int64_t index, std::size_t face, const MeshFile& file) const {
+    int corner(std::int64_t index, const char* item, std::size_t number, const MeshFile& file) const {
         if (index < 0 || index >= file.points.cols())
-            throw InputError("face " + std::to_string(face) + " names vertex " + std::to_string(index) +
-                             ", but there are only " + std::to_string(file.points.cols()) +
-                             " (counted from 0)");
+            throw InputError(item + (' ' + std::to_string(number)) + " names vertex " +
+                             std::to_string(index) + ", but there are only " +
+                             std::to_string(file.points.cols()) + " (counted from 0)");
         return static_cast<int>(index);
     }
 
@@ -256,7 +285,7 @@ class PlyReader {
     bool m_binary = false;
     std::endian m_order = std::endian::little;
     std::vector<Element> m_elements;
-    Polygons m_polygons;
+    Polygons m_polygons, m_strips;
 };
 
 /// A property per component; blanks would end the name.
