@@ -415,7 +415,7 @@ void TestCompute::escapeRestores() {
     QVERIFY(m_session->motion().frame<2>()->pose != before);
     m_session->gestures().cancel();
     QVERIFY(m_session->motion().frame<2>()->pose == before);
-    QTest::qWait(50);
+    QVERIFY(settle(*m_session));
     QVERIFY(m_session->motion().frame<2>()->pose == before);
     QCOMPARE(m_session->document().undoStack()->count(), steps);
 }

@@ -236,7 +236,7 @@ void TestExportPanel::whatWasChosenStays() {
     QCOMPARE(panel().form().extension(), QStringLiteral(".tif"));
     QCOMPARE(panel().form().values().text("--depth"), std::string("16"));
     QVERIFY(bend(0, -20));
-    QTest::qWait(400);
+    QVERIFY(isCurrent());
     QCOMPARE(panel().form().extension(), QStringLiteral(".tif"));
     QCOMPARE(panel().form().values().text("--depth"), std::string("16"));
     QTest::mouseClick(kind("Mesh"), Qt::LeftButton);
@@ -367,7 +367,7 @@ void TestExportPanel::cropIsDrawn() {
     panel().form().field("--canvas")->setValue("picture");
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     QVERIFY(bend(-10, 20));
-    QTest::qWait(300);
+    QVERIFY(isCurrent());
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     drag({180, 110}, {170, 100});
     QTRY_COMPARE(panel().form().values().text("--canvas"), std::string("60,50,110,50"));

@@ -528,7 +528,6 @@ void TestSolidWindow::coloursFollowTheMeasure() {
     }
     m_f->window().actions().showArrows->setChecked(true);
     m_f->session().playback().setTime(0.5);
-    QTest::qWait(50);
     m_f->picture(QStringLiteral("arrows"));
 }
 

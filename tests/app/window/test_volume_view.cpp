@@ -489,8 +489,7 @@ void TestVolumeView::viewMovesToAnotherWindow() {
     QVERIFY(QTest::qWaitForWindowExposed(&second, 20000));
     view->setParent(&second);
     view->show();
-    QTest::qWait(50);
-    QVERIFY(view->grabFramebuffer() == before);
+    QTRY_VERIFY(view->grabFramebuffer() == before);
     QVERIFY(view->picture({64, 64}, true).pixelColor(32, 32).alpha() == 255);
 }
 
