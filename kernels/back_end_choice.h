@@ -24,14 +24,11 @@ class SharedDevice {
     std::shared_ptr<State> m_state;
 };
 
-/// Which back end computes, by the user's choice:
-///   Cpu        the processor's;
-///   OpenCl     the device of that name (chooseOpenClDevice); throws InputError if none works;
-///   Automatic  a working OpenCL GPU for problems large enough to gain, else the processor. An OpenCL device
-///              that is the processor itself (PoCL) is never faster than our own code and is taken by name
-///              only.
-/// A device that fails in the middle of the work is replaced by the CPU at the last shape, without the caller
-/// noticing but through `notice`.
+/// Returns which back end computes, by the user's choice: Cpu        the processor's; OpenCl     the device
+/// of that name (chooseOpenClDevice); throws InputError if none works; Automatic  a working OpenCL GPU for
+/// problems large enough to gain, else the processor. An OpenCL device that is the processor itself (PoCL) is
+/// never faster than our own code and is taken by name only. A device that fails in the middle of the work is
+/// replaced by the CPU at the last shape, without the caller noticing but through `notice`.
 template <int Dim>
 BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {},
                                    const SharedDevice& shared = {});

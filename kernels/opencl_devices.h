@@ -41,8 +41,8 @@ struct OpenClDevices {
     std::string problem;  // why there is none, if there is none
 };
 
-/// All devices, each tried with a small kernel in a process of its own (wend-clprobe): a driver that aborts
-/// takes only that process with it. Runs once per process; the answer is kept.
+/// Returns all devices, each tried with a small kernel in a process of its own (wend-clprobe): a driver that
+/// aborts takes only that process with it. Runs once per process; the answer is kept.
 const OpenClDevices& openClDevices();
 
 /// Returns the device that `wanted` (part of a name, any case; or "P:D" indices) names, the environment

@@ -206,7 +206,7 @@ std::vector<Manipulator::Part> Manipulator::parts() const {
     return {{Kind::Move, 2}, {Kind::Turn, 0}, {Kind::Turn, 1}};
 }
 
-/// The line that is drawn and taken hold of.
+/// Returns the line that is drawn and taken hold of.
 std::vector<Vec3> Manipulator::outline(const Part& part, const ShapeView& view) const {
     const double pixel = length(view);
     if (part.kind == Grip::Kind::Move && part.plane) {

@@ -17,7 +17,7 @@ std::optional<QPointF> arrowOf(const QKeyEvent& key);
 /// that replaces mouse clicks.
 class KeyCross {
   public:
-    /// An arrow moves it, with Enter `click` is done where it is; true if the key was used.
+    /// An arrow key moves it, and Enter calls `click` where it is. Returns whether the key was used.
     bool take(const QKeyEvent& key, ShapeView& view, const std::function<void(const QPointF&)>& click);
     /// How Enter acts on a tool's button.
     enum class Enter { Clicks, Presses, LetsGo };

@@ -251,7 +251,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
     return true;
 }
 
-/// The brush, or how many colours the wand takes.
+/// Scales the brush, or how many colours the wand takes.
 void OutlineTool::scale(double factor) {
     OutlineSettings next = m_pen.now();
     if (m_shape == Shape::Brush)

@@ -347,7 +347,7 @@ MenuPlace PinTool::menuAt(const QPointF& at) {
     return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder(view(), at));
 }
 
-/// The pins that are selected; without any, a cross that Enter clicks at.
+/// Moves the selected pins, or, without any, the cross that Enter clicks at.
 bool PinTool::nudge(const QKeyEvent& event) {
     if (session().selection().isEmpty())
         return m_cross.take(event, view(), [this](const QPointF& at) { clickAt(at, false); });

@@ -145,7 +145,7 @@ void ShapePainter::area(const PinView& pin, bool hovered) {
                  selected ? Qt::SolidLine : Qt::CustomDashLine);
 }
 
-/// The outline of the region of a selected handle of a solid, carried to where its vertices are now.
+/// Draws the outline of the region of a selected handle of a solid, carried to where its vertices are now.
 void ShapePainter::carriedRegion(const PinView& pin) {
     const auto frame = m_view.session().motion().frame<3>();
     const auto* region = std::get_if<Region<3>>(&m_view.session().document().design().handles[pin.handle].at);

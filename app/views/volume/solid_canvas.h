@@ -89,9 +89,10 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
     QString pointerText(const QPointF& at) override;
     void showPlace(const Vec3& at) override;
 
-    /// The surface of a file while its tetrahedra are being made.
+    /// Shows the surface of a file while its tetrahedra are being made.
     void showPreview(const Skin& skin);
-    /// A surface that bounds no solid: seen along the direction at first in a document, then as the view is.
+    /// Shows a surface that bounds no solid: seen along the direction at first in a document, then as the
+    /// view is.
     void showRefused(VolumePicture picture, const Vec3& direction);
     /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);

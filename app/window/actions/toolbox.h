@@ -36,8 +36,8 @@ class Toolbox : public ActionMaker {
     void shareKeys();
     /// Returns the tools, the steps and the actions that keys are shared with.
     QList<QAction*> actionsWithKeys() const;
-    /// Whether two actions may have the same key: tools of different steps, or one for pictures and one for
-    /// solids.
+    /// Returns whether two actions may have the same key: tools of different steps, or one for pictures and
+    /// one for solids.
     bool canShareKeys(const QAction& one, const QAction& other) const;
 
   signals:

@@ -129,7 +129,7 @@ void ExportPanel::showEvent(QShowEvent* event) {
     showShape();
 }
 
-/// The kind that was chosen last, or the first that there is.
+/// Shows the kind that was chosen last, or the first that there is.
 void ExportPanel::showShape() {
     const bool solid = m_motion.document().dimension() == 3;
     QAbstractButton *first = nullptr, *chosen = m_kinds->checkedButton();
