@@ -226,9 +226,17 @@ void HandlePanel::placeNumbers() {
     setTabOrder(m_numbers[2], m_apply);
 }
 
+/// Gives distances decimals that depend on the size of a solid; pixels, angles and factors have three.
+void HandlePanel::showDigits() {
+    const FramePtr& frame = m_session.motion().frame();
+    const bool isDistance = m_kind->currentIndex() == 0 && isSolid() && frame;
+    for (ExactBox* box : m_numbers) box->showDigits(isDistance ? std::max(3, digitsFor(frame->diagonal)) : 3);
+}
+
 void HandlePanel::showStep() {
     const int kind = m_kind->currentIndex();
     placeNumbers();
+    showDigits();
     m_numbers[0]->setSuffix(kind == 1 ? QStringLiteral(" °") : QString());
     m_numbers[0]->setPrefix(kind == 2 ? QStringLiteral("×") : QString());
     m_numbers[0]->setRange(kind == 2 ? 0.01 : -1e9, 1e9);
@@ -256,6 +264,7 @@ void HandlePanel::showHandle() {
     m_body->setVisible(any);
     m_place->setVisible(any);
     placeNumbers();
+    showDigits();
     if (!any) return;
     const double size = m_session.motion().frame() ? m_session.motion().frame()->diagonal : 1;
     const double unit = std::pow(10, std::floor(std::log10(size > 0 ? size : 1)) - 5);

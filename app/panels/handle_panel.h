@@ -60,6 +60,7 @@ class HandlePanel : public QWidget {
     void showHandle();
     void showStep();
     void placeNumbers();
+    void showDigits();
     void changeEvent(QEvent* event) override;
     void apply();
     std::optional<Vec3> middle() const;

@@ -55,6 +55,7 @@ class TestPanelFields : public QObject {
     void eitherPointCanBeTyped();
     void framesLeaveTheCutsNumbers();
     void longNumbersWidenNoPanel();
+    void amountsOfSmallSolidsAreFine();
     void enterGivesTheKeyboardBack_data();
     void enterGivesTheKeyboardBack();
     void escapeGivesTheKeyboardBack_data();
@@ -269,6 +270,27 @@ void TestPanelFields::longNumbersWidenNoPanel() {
     place->setText(QString(80, QLatin1Char('0')));
     settleLayout(m_f->window());
     QCOMPARE(panel->minimumSizeHint().width(), width);
+}
+
+/// A solid in metres may be a centimetre large: a typed amount keeps its digits.
+void TestPanelFields::amountsOfSmallSolidsAreFine() {
+    const QString path = m_f->folder().filePath(QStringLiteral("small.obj"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    file.close();
+    QVERIFY(m_f->openFile(path));
+    m_f->session().addHandle(std::vector<int>{1}, "Pin");
+    m_f->session().selection().set({0});
+    QVERIFY(settle(m_f->session()));
+    auto* panel = m_f->window().findChild<HandlePanel*>();
+    auto* amount = box(QStringLiteral("Amount"));
+    QVERIFY(amount && panel->isAncestorOf(amount));
+    type(*amount, QStringLiteral("0.00012"));
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("applyStep")), Qt::LeftButton);
+    QVERIFY(settle(m_f->session()));
+    QCOMPARE(m_f->handles()[0].motions.size(), std::size_t(1));
+    QVERIFY((m_f->pin(0) - Vec3(0.01012, 0, 0)).norm() < 1e-9);
 }
 
 void TestPanelFields::framesLeaveTheCutsNumbers() {
