@@ -165,8 +165,8 @@ std::string nameNow(const std::string& name, const std::vector<PicturePart>& par
     return isRenamed ? std::ranges::find_if_not(parts, isShown)->name : std::string();
 }
 
-/// The sheets that an area may be cut from, from front to back, without those that are locked or hidden; none
-/// while a picture of parts is being built.
+/// Returns the sheets that an area may be cut from, from front to back, without those that are locked or
+/// hidden; none while a picture of parts is being built.
 std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string& wholeName) {
     const Document& document = session.document();
     if (document.domain().parts.empty()) return {{wholeName, Sheet{document.picture()}}};
@@ -182,7 +182,7 @@ std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string&
     return sheets;
 }
 
-/// The frontmost sheet that fills the area about as well as any.
+/// Returns the frontmost sheet that fills the area about as well as the best one; null if none does.
 const NamedSheet* sheetBelow(const Outline& area, const std::vector<NamedSheet>& sheets) {
     std::vector<double> covered;
     for (const NamedSheet& one : sheets) covered.push_back(coveredArea(area, one.sheet));

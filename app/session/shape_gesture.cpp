@@ -326,8 +326,8 @@ void ShapeGesture::push(const DragGesture& drag, const TimedPath& path, double f
             ShapeSession::tr("The film is longer by a second: what you had timed keeps its times."));
 }
 
-/// False if the handles cannot be posed at that time. At the end of the film a drag makes it longer, and a
-/// step of the arrow keys moves the last pose.
+/// Returns false if the handles cannot be posed at that time. At the end of the film a drag makes it longer,
+/// and a step of the arrow keys moves the last pose.
 bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& starts, const QString& step,
                             const QString& key) {
     const Project& project = *m_document.project();
@@ -360,7 +360,7 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& sta
     return true;
 }
 
-/// A gesture replaces the later motion of its own handles or, if they have none, of all.
+/// Tells that a gesture has replaced the later motion of its own handles or, if they have none, of all.
 void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
                                 const QString& otherwise) {
     Design replaced;

@@ -35,7 +35,7 @@ Eigen::MatrixXd fieldOf(const ShapeMotion& motion, Measure measure);
 ShapeMotion::FieldKind wantedField(bool map, Measure measure, bool arrows);
 /// Returns the values of the shown frame.
 std::vector<double> shownValues(const ShapeMotion& motion, Measure measure);
-/// The value of the material where nothing is painted; nothing for other measures.
+/// Returns the value of the material where nothing is painted; nothing for other measures.
 std::optional<double> plainValue(const ShapeMotion& motion, Measure measure);
 /// Returns the opacity of paint at a position in the range: 0 at the plain value, up to 1.
 double paintedPart(double place, double plainPlace);
@@ -61,7 +61,7 @@ std::vector<int> histogramOf(const std::vector<double>& values, Measure measure,
 QRgb colourAt(Measure measure, double position);
 
 QString measureName(Measure measure, int dimension = 2);
-/// A value as the legend writes it: "×1.25" for area, "0.031" for errors.
+/// Returns a value as the legend writes it: "×1.25" for area, "0.031" for errors.
 QString measureText(Measure measure, double value);
 
 /// The cell that is farthest from rest by a measure, or by length for measures without that meaning.

@@ -31,8 +31,8 @@ QString wendStyleSheet(const QPalette& palette);
 /// Returns the palette for icons on accent-coloured buttons.
 QPalette primaryPalette(const QPalette& palette);
 
-/// An icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state, sharp
-/// at every scale.
+/// Returns an icon of resources/icons, drawn in the palette's colours for normal, disabled and checked state,
+/// sharp at every scale.
 QIcon wendIcon(const QString& name, const QPalette& palette);
 /// Returns the same icon in one colour.
 QIcon wendIcon(const QString& name, const QColor& colour);

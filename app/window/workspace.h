@@ -64,7 +64,7 @@ class Workspace : public QObject {
     explicit Workspace(const Parts& parts);
     ~Workspace() override;
 
-    /// The curve that the chosen tool edits; null if it edits none.
+    /// Returns the curve that the chosen tool edits; null if it edits none.
     CurveEditor* curve() const;
 
   private:

@@ -110,7 +110,7 @@ bool RegionTool::key(const QKeyEvent& event) {
     return true;
 }
 
-/// The region where the solid now is, with the vertices in it.
+/// Draws the region where the solid now is, with the vertices in it.
 void RegionTool::paint(QPainter& painter) const {
     const auto frame = session().motion().frame<3>();
     if (!m_active || isClick() || !frame) return;

@@ -121,7 +121,7 @@ void ShapePainter::seenSpots(const PinView& pin) {
     m_marks.spots(seen, fill, r, selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
 }
 
-/// A part of a picture that is held as a whole: its outline veils nothing until it is pointed at.
+/// Draws the outline of a part of a picture that is held as a whole, filled only while the pointer is on it.
 void ShapePainter::area(const PinView& pin, bool hovered) {
     const FramePtr frame = m_view.session().motion().frame();
     if (!frame) return;
@@ -141,7 +141,7 @@ void ShapePainter::area(const PinView& pin, bool hovered) {
                  selected ? Qt::SolidLine : Qt::CustomDashLine);
 }
 
-/// The outline of the region of a selected handle of a solid, carried to where its vertices are now.
+/// Draws the outline of the region of a selected handle of a solid, carried to where its vertices are now.
 void ShapePainter::carriedRegion(const PinView& pin) {
     const auto frame = m_view.session().motion().frame<3>();
     const auto* region = std::get_if<Region<3>>(&m_view.session().document().design().handles[pin.handle].at);

@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// The name of a handle that does not hold at a time, and since or until when.
+/// Returns the name of a handle that does not hold at a time, and since or until when.
 QString ghostName(const Pin& handle, const QString& name, double time);
 
 /// Colours of the world's axes x, y, z in the usual order, distinguishable by lightness, too.
@@ -61,7 +61,7 @@ class ShapePainter {
     const Theme& m_theme;
 };
 
-/// The edges of a picture that cross, and its triangles that have blown up.
+/// Draws the edges of a picture that cross, and its triangles that have blown up.
 void paintFaults(QPainter& painter, ShapeView& view, const PosedFrame<2>& frame, const PoseFaults<2>& faults);
 
 }  // namespace wend

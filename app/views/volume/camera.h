@@ -20,7 +20,7 @@ class Camera {
     /// Shows all points as large as they fit, from where it looks.
     void fit(const Points3& points, const QSize& viewport);
     void look(Axis axis);
-    /// The world axis that points up, which rotation keeps upright.
+    /// Sets the world axis that points up, which rotation keeps upright.
     void setUpAxis(UpAxis axis);
     UpAxis upAxis() const { return m_upAxis; }
     /// Returns the camera for storage, with as many digits as a screen can show.
@@ -61,7 +61,7 @@ class Camera {
     Eigen::Quaterniond m_turn = Eigen::Quaterniond::Identity();  // world → camera
     /// Returns the point in the middle of the picture at the pivot's depth.
     Vec3 centre() const;
-    /// The world's axes to the right, into the picture and upwards, seen from the front.
+    /// Returns the world's axes to the right, into the picture and upwards, seen from the front.
     Mat3 axes() const;
 
     Vec3 m_pivot = Vec3::Zero();

@@ -30,14 +30,15 @@ class Toolbox : public ActionMaker {
     QList<QAction*> toolsOf(Mode mode) const;
     /// Tools under the step that they are first of, for a menu.
     QList<QAction*> toolsFirstIn(Mode mode) const;
-    /// A key belongs to the current step's tools first, then to these, then to the tools of other steps.
+    /// Shares keys with other actions: a key belongs to the current step's tools first, then to these, then
+    /// to the tools of other steps.
     void shareKeysWith(const QList<ActionMaker*>& others);
     /// Assigns the keys anew, after an action got others.
     void shareKeys();
     /// Returns the tools, the steps and the actions that keys are shared with.
     QList<QAction*> actionsWithKeys() const;
-    /// Whether two actions may have the same key: tools of different steps, or one for pictures and one for
-    /// solids.
+    /// Returns whether two actions may have the same key: tools of different steps, or one for pictures and
+    /// one for solids.
     bool canShareKeys(const QAction& one, const QAction& other) const;
 
   signals:

@@ -51,7 +51,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
     return opaque;
 }
 
-/// The map's red and green, as a compositing program shows them.
+/// Returns the map's red and green, as a compositing program shows them.
 QImage mapPreview(const FrameExport& shape, const PreviewRequest& request) {
     const View view = smaller(viewOf(shape, request), request.room);
     const Image map = shape.stMapOf(view);

@@ -39,7 +39,7 @@ class Exporter : public QObject {
 
     /// Returns the crop of the picture, which is reset for another document.
     Crop& crop() { return m_crop; }
-    /// Why nothing can be written now; empty if it can be.
+    /// Returns why nothing can be written now; empty if it can be.
     QString whyNot() const;
     /// Returns the current subject; requires whyNot() to be empty.
     ExportSubject subject(ExportKind kind) const;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMostKept = 100;
 constexpr QSize kLargest(344, 300);
 
-/// The part of the picture that is not transparent.
+/// Returns the part of the picture that is not transparent.
 QRect opaquePart(const QImage& image) {
     QRect part;
     for (int y = 0; y < image.height(); ++y)

@@ -69,7 +69,7 @@ class Tutorial : public QFrame {
         const Actions& actions;
         const Toolbox& tools;
     };
-    /// The picture that it runs on; empty if the samples are not installed.
+    /// Returns the picture that it runs on; empty if the samples are not installed.
     static QString picture();
 
     Tutorial(const Parts& parts, QWidget& over);

@@ -57,7 +57,7 @@ class Offers : public QObject {
     void look();
     void follow();
     void make(const Offer& offer);
-    /// Whether the outline of the document's picture is made of its alpha.
+    /// Returns whether the outline of the document's picture is made of its alpha.
     bool isCutOut() const;
 
     Document& m_document;
