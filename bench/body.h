@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// A box with one corner at 0, meshed by the program's own meshers to about so many vertices.
+/// Returns a box with one corner at 0, meshed by the program's own meshers to about so many vertices.
 SimplicialMesh<2> meshBox(const Vec2& size, int vertices);
 SimplicialMesh<3> meshBox(const Vec3& size, int vertices);
 

@@ -84,7 +84,8 @@ IntegrationOptions paperScheme() {
     return options;
 }
 
-/// A run with so large steps that it breaks down does not.
+/// Returns whether a run comes close enough to the reference; false if its steps are so large that it breaks
+/// down.
 template <int Dim>
 bool reaches(const Body<Dim>& body, const IntegrationOptions& options, const Points<Dim>& reference) try {
     return errorOf(endPose(body, options), reference) <= kSearchAim;
@@ -92,7 +93,7 @@ bool reaches(const Body<Dim>& body, const IntegrationOptions& options, const Poi
     return false;
 }
 
-/// The coarsest setting that reaches the aim on a small body.
+/// Returns the coarsest setting that reaches the aim on a small body.
 template <int Dim>
 IntegrationOptions coarsest(const Integrator& integrator) {
     static const Body<Dim> body = makeBody<Dim>(kSearchVertices);

@@ -10,8 +10,8 @@ struct PaperOptions {
     std::string folder;  // where meshes, projects and deformed shapes stay; empty: nowhere
 };
 
-/// The paper's figures on shapes of our own: each scene as a case with a row for each material, by the code
-/// of `wend run`, and the paper's timing table. Returns what the paper finds and whether it holds.
+/// Adds the paper's figures on shapes of our own: each scene as a case with a row for each material, by the
+/// code of `wend run`, and the paper's timing table. Returns what the paper finds and whether it holds.
 std::vector<BenchClaim> addPaperCases(const PaperOptions& options, BenchRecorder& recorder);
 
 }  // namespace wend

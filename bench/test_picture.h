@@ -4,7 +4,8 @@
 
 namespace wend {
 
-/// A picture of four channels with waves of all lengths, so that no filter has it easy: the same in any type.
+/// Returns a picture of four channels with waves of all lengths, which is hard for every filter, and the same
+/// in every type.
 Image testPicture(int width, int height, PixelType type = PixelType::UInt8);
 
 }  // namespace wend
