@@ -15,7 +15,7 @@ namespace wend {
 namespace fs = std::filesystem;
 namespace {
 
-/// $XDG_CACHE_HOME/wend/kernels; empty if there is no place for it.
+/// Returns $XDG_CACHE_HOME/wend/kernels; empty if there is no place for it.
 fs::path cacheFolder() {
     const char* base = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");

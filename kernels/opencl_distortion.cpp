@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kChunkCells = 1024;  // cells per work item of the sums
 
-/// d! times the rest measures: what the totals are weighted with.
+/// Returns d! times the rest measures, the weights of the totals.
 template <int Dim>
 std::vector<double> weightsOf(const SimplicialMesh<Dim>& rest) {
     std::vector<double> weights;
