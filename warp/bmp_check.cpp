@@ -43,7 +43,7 @@ struct BmpHeader {
         return packing == kStored || (packing == kMasks && (bits == 16 || bits == 32));
     }
     double rows() const { return std::abs(static_cast<double>(height)); }
-    /// The bytes of rows that are not packed; each begins at a multiple of four.
+    /// Returns the bytes of rows that are not packed; each begins at a multiple of four.
     double stored() const { return std::ceil(width * static_cast<double>(bits) / 32) * 4 * rows(); }
 };
 

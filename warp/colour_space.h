@@ -25,11 +25,12 @@ struct ColourSpace {
     bool hasCommonColours() const;
 };
 
-/// An ICC profile, version 4, of a matrix and a curve: colorants adapted to D50 by Bradford's transform
-/// (ICC.1:2022, annexes E and F). `grey`: the curve alone. Empty where the chromaticities span no colours.
+/// Returns an ICC profile, version 4, of a matrix and a curve: colorants adapted to D50 by Bradford's
+/// transform (ICC.1:2022, annexes E and F); for `grey` the curve alone. Empty if the chromaticities span no
+/// colours.
 std::vector<std::byte> iccProfileOf(const ColourSpace& space, bool grey);
 
-/// The same with the colorants of BT.709 and a curve given as the data of an ICC tag.
+/// Does the same with the colorants of BT.709 and a curve given as the data of an ICC tag.
 std::vector<std::byte> colouredProfileOf(std::string_view curve);
 
 }  // namespace wend

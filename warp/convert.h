@@ -19,7 +19,7 @@ PixelLayout layoutOf(const Image& image);
 /// Row y as floats, integers scaled to [0, 1]: width · channels values. storeRow gives back the same bits.
 void loadRow(const Image& image, int y, float* out);
 
-/// The opposite of loadRow: integers are clamped and rounded to the nearest.
+/// Does the opposite of loadRow(): integers are clamped and rounded to the nearest.
 void storeRow(Image& image, int y, const float* in);
 
 /// Returns the picture in another layout; unchanged if it already has it. Grey becomes equal colours; surplus

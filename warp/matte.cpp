@@ -7,7 +7,8 @@ namespace {
 
 constexpr float kSoonest = 2;  // of the share: alpha grows no faster at the edge of a cut
 
-/// The least alpha at which a channel of the top, (c − (1 − t) g), is neither negative nor above t · white.
+/// Returns the least alpha at which a channel of the top, (c − (1 − t) g), is neither negative nor above t ·
+/// white.
 float leastAlpha(float c, float g) {
     const float white = std::max({1.0F, c, g});
     float least = 0;

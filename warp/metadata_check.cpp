@@ -40,7 +40,7 @@ class JpegSegments {
   public:
     explicit JpegSegments(std::string bytes) : m_bytes(std::move(bytes)) {}
 
-    /// The bytes, if any has changed.
+    /// Returns the bytes if any has changed, else nothing.
     std::string mended() {
         for (std::size_t at = 2; (at = m_bytes.find('\xff', at)) != std::string::npos;) {
             at = m_bytes.find_first_not_of('\xff', at);
@@ -83,8 +83,8 @@ class JpegSegments {
     bool m_mended = false;
 };
 
-/// A PNG is eight bytes and a row of chunks: the length of its data, four letters, the data, their checksum.
-/// All of it is there (pngProblem).
+/// Repairs the EXIF of a complete PNG (pngProblem): eight bytes and a row of chunks, each with the length of
+/// its data, four letters, the data and their checksum.
 std::string mendedPng(const InputFile& file) {
     constexpr std::size_t head = 8, checksum = 4;
     std::uint64_t at = 8;

@@ -29,9 +29,9 @@ struct ContourGrid {
 /// Fills the values of a row of nodes; positive is inside. Rows are asked for in ascending order, each once.
 using RowSource = std::function<void(int row, std::vector<float>& values)>;
 
-/// The closed zero contours by marching squares, without repeated points: linear along grid edges, ambiguous
-/// cells decided by their mean. Loops do not cross. Memory grows with the contours only. Throws InputError
-/// when there are too many.
+/// Returns the closed zero contours by marching squares, without repeated points: linear along grid edges,
+/// ambiguous cells decided by their mean. Loops do not cross. Memory grows with the contours only. Throws
+/// InputError if there are too many.
 std::vector<std::vector<Vec2>> zeroContours(const ContourGrid& grid, const RowSource& source);
 
 }  // namespace wend

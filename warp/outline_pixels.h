@@ -72,7 +72,7 @@ class OutlinePixels {
     void visit(int band, const TriangleRows& rows, Found&& found) const {
         visit(band, marks(band), rows, found);
     }
-    /// The same for those pixels that are marked. The function may remove their marks.
+    /// Does the same for those pixels that are marked. The function may remove their marks.
     template <typename Found>
     void visit(int band, const Marks& wanted, const TriangleRows& rows, Found&& found) const;
 

@@ -242,7 +242,7 @@ LayerSection layersIn(std::string bytes, bool isLarge) {
     return section;
 }
 
-/// The data of a resource of that kind, if there is one.
+/// Returns the data of a resource of that kind, if there is one.
 std::optional<std::string> resource(std::string bytes, unsigned wanted) {
     ByteWalk resources(std::move(bytes));
     while (resources.left() >= 12 && resources.bytes(4) == "8BIM") {
@@ -263,7 +263,8 @@ bool lacksPicture(const std::string& resources) {
     return version && version->size() > 4 && (*version)[4] == 0;
 }
 
-/// A section of layers with one of no size, whose negative count says that the picture has transparency.
+/// Returns a section of layers with one of no size, whose negative count says that the picture has
+/// transparency.
 std::string noLayers(bool isLarge, bool isTransparent) {
     const std::string zeros(isLarge ? 4 : 0, '\0');
     if (!isTransparent) return zeros + std::string(4, '\0');
@@ -400,7 +401,7 @@ class PsdPlanes {
         return found->second;
     }
 
-    /// The mask's number at a pixel of the picture, of as many bits as those of the planes.
+    /// Returns the mask's number at a pixel of the picture, with as many bits as those of the planes.
     std::uint32_t maskAt(const PsdMask& of, const std::string& mask, int x, int y) const {
         const PixelBox& box = of.box;
         if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height)

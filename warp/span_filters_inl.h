@@ -126,7 +126,7 @@ class Filters {
         return limited(colour(low(sum) + high(sum)));
     }
 
-    /// The mean over an ellipse, going over to the cubic where the ellipse is nearly the unit circle's.
+    /// Returns the mean over an ellipse, blended into the cubic where the ellipse is nearly the unit circle.
     HWY_ATTR HWY_INLINE Colour ewa(int i, int j, float s, float t) const {
         Colour soft = all(0);
         const bool found = m_blend != 0 && elliptical(i, j, s, t, soft);
@@ -187,8 +187,8 @@ class Filters {
     // --- elliptical
     // -------------------------------------------------------------------------------------------
 
-    /// The radial cubic of Mitchell and Netravali (1988) with B = 0.3782, C = 0.3109, which keeps straight
-    /// lines straight, within 0.004 as a polynomial of q = r² that ends smoothly at r = 2.
+    /// Returns the radial cubic of Mitchell and Netravali (1988) with B = 0.3782, C = 0.3109, which keeps
+    /// straight lines straight, within 0.004 as a polynomial of q = r² that ends smoothly at r = 2.
     WEND_SPAN_INLINE static Eight kernel(Eight q) {
         const Eight rest = eight(4) - smaller(q, eight(4));
         const Eight inner =
@@ -219,8 +219,8 @@ class Filters {
         return true;
     }
 
-    /// All pixels of a box that holds the ellipse, from `reach` before the pixel (i, j) to reach + 1 after
-    /// it.
+    /// Adds all pixels of a box that holds the ellipse, from `reach` before the pixel (i, j) to reach + 1
+    /// after it.
     template <int reach>
     WEND_SPAN_INLINE void addBox(int i, int j, float s, float t, Sum& sum) const {
         constexpr int kSize = 2 * reach + 2;

@@ -53,14 +53,14 @@ struct WarpOptions {
 /// otherwise, and for all of the source, a frame of its own.
 CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight);
 
-/// The picture carried by the map rest → pose: every output pixel looks up the source through the inverse
-/// affine map of the cell that covers it. Output has the type, channels (plus alpha if needed) and metadata
-/// of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled for
-/// another size of the picture.
+/// Returns the picture carried by the map rest → pose: every output pixel looks up the source through the
+/// inverse affine map of the cell that covers it. Output has the type, channels (plus alpha if needed) and
+/// metadata of `source`. `rest` is in pixels of `source` (centres at +0.5); the same rest may be given scaled
+/// for another size of the picture.
 Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 
-/// The same with the picture's pyramid made before: for a window that draws it again and again.
+/// Does the same with a given pyramid of the picture, for a window that draws it again and again.
 Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 
