@@ -84,7 +84,8 @@ IntegrationOptions paperScheme() {
     return options;
 }
 
-/// Returns whether a run reaches the aim; one whose steps are so large that it breaks down does not.
+/// Returns whether a run comes close enough to the reference; false if its steps are so large that it breaks
+/// down.
 template <int Dim>
 bool reaches(const Body<Dim>& body, const IntegrationOptions& options, const Points<Dim>& reference) try {
     return errorOf(endPose(body, options), reference) <= kSearchAim;

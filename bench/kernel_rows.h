@@ -4,9 +4,9 @@
 
 namespace wend {
 
-/// Measures the dense kernels of the factor on fronts of the sizes that the bodies have, for every SIMD
-/// target of this machine, beside the same work by the BLAS and LAPACK that CHOLMOD is linked with. The
-/// target in use is afterwards what it was before.
+/// Adds rows of the dense kernels of the factor on fronts of the sizes that the bodies have, for every SIMD
+/// target of this machine, beside the same work by the BLAS and LAPACK that CHOLMOD is linked with. Restores
+/// the current target afterwards.
 void addKernelRows(BenchRecorder& recorder);
 
 }  // namespace wend

@@ -15,7 +15,7 @@ struct Timing {
 
 /// Runs the work once to warm up and then as often as asked, each time after `prepare`, which does not count.
 Timing measure(int repeats, const std::function<void()>& work, const std::function<void()>& prepare = {});
-/// Runs the work once, without a warm-up, because it takes many seconds.
+/// Runs the work once, without a warm-up, for work that takes many seconds.
 Timing measureOnce(const std::function<void()>& work);
 
 /// Returns the bytes per second that one thread reads of a block of this size that it has just read before.

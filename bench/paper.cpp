@@ -35,7 +35,7 @@ std::string plain(std::string name) {
     return name;
 }
 
-/// Returns the part of the metric error that the worst hundredth of the cells has.
+/// Returns the share of the worst hundredth of the cells in the metric error.
 template <int Dim>
 double worstShare(const SimplicialMesh<Dim>& rest, const Distortion& distortion) {
     std::vector<double> errors;

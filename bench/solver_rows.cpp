@@ -60,7 +60,7 @@ class SolverBench {
         }
     }
 
-    /// Measures one step of RK4 on the device's stages: the copies for each of its four fields.
+    /// Adds one step of RK4 on the device's stages, with what is copied for each of its four fields.
     void addOpenClFlow(const BackEndFactory<Dim>& factory) {
         IntegrationOptions options;
         options.method = Method::RungeKutta4;
@@ -126,7 +126,7 @@ class SolverBench {
                  [&] { factor.solve(b, x, workers); });
     }
 
-    /// A solve reads the factor twice.
+    /// Compares a solve with the time of reading the factor twice, which is its lower bound.
     void addSolve(const std::string& name, int threads, double bytes, const std::function<void()>& solve) {
         const Timing timing = measure(m_recorder.repeats(0.05), solve);
         const double bound = 2 * bytes / readBandwidth(bytes);

@@ -50,7 +50,7 @@ std::vector<Growth> growthOf(const BenchTable& table);
 /// Returns a row as people read it: "assembly, cpu, 1 thread        0.412 ms   …".
 std::string textOf(const BenchRow& row);
 std::string headingOf(const BenchCase& one);
-/// Returns "holds:  EQUIA keeps …: volume: strip/EQUIA 0.0001 < …".
+/// Returns for example "holds: EQUIA keeps …: volume: strip/EQUIA 0.0001 < …".
 std::string textOf(const BenchClaim& claim);
 std::string textOf(const std::vector<Growth>& growth);
 /// Returns the whole table for programs, with seconds as numbers.

@@ -29,7 +29,8 @@ void WindowDrag::send(QEvent::Type type, const QPointF& at) {
     QCoreApplication::sendEvent(&m_parts.view, &event);
 }
 
-/// A frame is on the screen when the window has been painted to its end: what is queued now comes after that.
+/// Notes when a frame is on the screen, which is when the window has been painted completely: a call that is
+/// queued now follows that.
 bool WindowDrag::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Paint && watched == &m_parts.view && m_parts.session.motion().isDragging()) {
         const FramePtr frame = m_parts.drawn();
@@ -50,7 +51,7 @@ void WindowDrag::takeShown(int sample) {
     m_times.latency.push_back(now() - m_sent[static_cast<std::size_t>(sample)]);
 }
 
-/// Makes the newest move that is due by now, in the place of all since the last one.
+/// Sends the newest move that is due by now, in place of all since the last one.
 void WindowDrag::moveWhenDue(const std::function<QPointF(double)>& path) {
     const double due = kMovesEvery * std::floor(now() / kMovesEvery);
     if (m_sent.size() > 1 && due <= m_sent.back()) return;

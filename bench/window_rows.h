@@ -19,7 +19,7 @@ struct ShownSize {
 template <int Dim>
 void addWindowRows(const std::vector<ShownSize>& sizes, BenchRecorder& recorder, double seconds = 3);
 
-/// Adds the same rows for a picture of twelve parts with eight megapixels in all, and about so many vertices.
+/// Does the same for a picture of twelve parts with eight megapixels in all, and about so many vertices.
 void addPartRows(int vertices, BenchRecorder& recorder, double seconds = 3);
 
 }  // namespace wend

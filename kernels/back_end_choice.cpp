@@ -77,7 +77,7 @@ class FailsafeBackEnd final : public BackEnd<Dim> {
             return m_owner.safely([&] { return active().maximum(terms); });
         }
 
-        /// The back end's geometry is that of the latest sum from now on.
+        /// Records that the back end's geometry is that of the latest sum.
         void keepPlace() { m_place = m_latest; }
         void makePlace() { m_place.make(active()); }
         void makeLatest() { m_latest.make(active()); }

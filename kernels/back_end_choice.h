@@ -24,11 +24,14 @@ class SharedDevice {
     std::shared_ptr<State> m_state;
 };
 
-/// Returns which back end computes, by the user's choice: Cpu        the processor's; OpenCl     the device
-/// of that name (chooseOpenClDevice); throws InputError if none works; Automatic  a working OpenCL GPU for
-/// problems large enough to gain, else the processor. An OpenCL device that is the processor itself (PoCL) is
-/// never faster than our own code and is taken by name only. A device that fails in the middle of the work is
-/// replaced by the CPU at the last shape, without the caller noticing but through `notice`.
+/// Returns the factory of the back end that the user has chosen:
+///   Cpu        the processor's;
+///   OpenCl     the device of that name (chooseOpenClDevice); throws InputError if none works;
+///   Automatic  a working OpenCL GPU for problems large enough to gain, else the processor. An OpenCL device
+///              that is the processor itself (PoCL) is never faster than our own code and is taken by name
+///              only.
+/// A device that fails in the middle of the work is replaced by the CPU at the last shape, which the caller
+/// learns only through `notice`.
 template <int Dim>
 BackEndFactory<Dim> backEndFactory(BackEndKind kind, const std::string& device = {}, DeviceNotice notice = {},
                                    const SharedDevice& shared = {});
@@ -43,8 +46,8 @@ std::unique_ptr<BackEnd<Dim>> makeFailsafe(std::unique_ptr<BackEnd<Dim>> primary
 template <int Dim>
 using DistortionOf = std::function<Distortion(const Points<Dim>& pose)>;
 
-/// Returns the same choice for the distortion, but that Automatic is the processor: it does its cells in less
-/// time than they need to a device and back.
+/// Makes the same choice for the distortion, but Automatic is the processor, which needs less time for its
+/// cells than they need to a device and back.
 template <int Dim>
 DistortionOf<Dim> distortionOf(BackEndKind kind, const SimplicialMesh<Dim>& rest,
                                const std::string& device = {}, DeviceNotice notice = {},

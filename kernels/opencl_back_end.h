@@ -6,8 +6,8 @@
 
 namespace wend {
 
-/// Makes a back end on an OpenCL device; `threads` of the processor do what it does not, as in
-/// BackEndFactory. Throws DeviceFailure here and from every call.
+/// Makes a back end on an OpenCL device; `threads` of the processor do the rest, as in BackEndFactory. This
+/// and every call of it throw DeviceFailure.
 template <int Dim>
 std::unique_ptr<BackEnd<Dim>> makeOpenClBackEnd(const OpenClPlace& device,
                                                 std::shared_ptr<const AssemblyPlan<Dim>> plan,

@@ -12,7 +12,7 @@
 
 namespace wend {
 
-/// Describes a cl::Error for a user, as "kernel assembly.cl: message".
+/// Returns "kernel assembly.cl: message": what a cl::Error says, for a person.
 std::string describe(const cl::Error& error);
 
 /// An open device.
@@ -80,7 +80,7 @@ auto guarded(Work&& work) {
     }
 }
 
-/// Starts a kernel with a fixed local size (each new one would be compiled again) and a padded global size.
+/// Runs a kernel with a fixed local size (each new one would be compiled again) and a padded global size.
 template <typename... Arguments>
 void launch(cl::CommandQueue& queue, cl::Kernel& kernel, int count, const Arguments&... arguments) {
     constexpr std::size_t kLocal = 64;

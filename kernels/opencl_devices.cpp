@@ -29,8 +29,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Reads a line of the probe: "device" and ten fields, tabs between; a second line "works P D" follows if the
-/// kernel ran.
+/// Parses a line of the probe: "device" and ten fields, separated by tabs; a second line "works P D" follows
+/// if the kernel ran.
 OpenClDeviceInfo parseDevice(const std::vector<std::string>& fields) {
     OpenClDeviceInfo info;
     info.platform = std::atoi(fields[1].c_str());

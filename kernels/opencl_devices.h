@@ -42,12 +42,12 @@ struct OpenClDevices {
 };
 
 /// Returns all devices, each tried with a small kernel in a process of its own (wend-clprobe): a driver that
-/// aborts takes only that process with it. Runs once per process; the answer is kept.
+/// aborts takes only that process with it. Runs once per process; the result is kept.
 const OpenClDevices& openClDevices();
 
-/// Returns the device that `wanted` (part of a name, any case; or "P:D" indices) names, the environment
+/// Returns the device that `wanted` names (part of a name, any case; or "P:D" indices), or the environment
 /// variable WEND_DEVICE if it is empty, else the first working GPU, else the first working device. Nothing if
-/// none works or matches; `why` then says it.
+/// none works or matches; `why` then says why.
 std::optional<OpenClDeviceInfo> chooseOpenClDevice(const std::string& wanted, std::string& why);
 
 /// Settings that drivers read at their first call; to be called before any other OpenCL call, by the program

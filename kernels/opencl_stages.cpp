@@ -18,7 +18,7 @@ OpenClStages<Dim>::OpenClStages(OpenClContext& cl, int vertices) : m_cl(cl), m_v
     m_parts = m_cl.buffer<double>(static_cast<std::size_t>(chunks()));
 }
 
-/// Returns the slot that was not used for longest.
+/// Gives the vector the least recently used slot.
 template <int Dim>
 int OpenClStages<Dim>::freeSlot(const Nodal<Dim>& vector) {
     const auto oldest = std::min_element(m_slots.begin(), m_slots.end(),

@@ -111,7 +111,7 @@ class OpenClPainter final : public CellPainter {
         m_filters = m_cl.copyOf(filters.data(), filters.size());
     }
 
-    /// Finds the cells of every pixel of the strip, in the kernel's layout.
+    /// Finds the cells of every pixel of the strip, as the kernel reads them.
     void findCells(const WarpJob& job, int top, int rows) {
         PixelCells cells(job.view.width, top, rows);
         for (int band = top / kBandRows; band * kBandRows < top + rows; ++band)

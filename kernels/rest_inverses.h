@@ -7,7 +7,7 @@
 
 namespace wend {
 
-/// Returns E₀⁻¹ of every cell, E₀ the rest edges as rows, row by row.
+/// Returns E₀⁻¹ of every cell, with the rest edges as the rows of E₀, row by row.
 template <int Dim>
 std::vector<double> restInverses(const SimplicialMesh<Dim>& rest) {
     std::vector<double> values;

@@ -173,7 +173,7 @@ class BandPainter {
         for (int c = 0; c < m_channels; ++c) to[c] = toPixel<T>(colour[static_cast<std::size_t>(c)]);
     }
 
-    /// The strip came with zeros: transparent.
+    /// Paints the pixels that no cell covers, which are already transparent in a new strip.
     void fillOutside() {
         if (m_job.options.outside == Outside::Transparent) return;
         for (int y = m_begin, pixel = 0; y < m_end; ++y)
@@ -192,8 +192,7 @@ class BandPainter {
         layers.put(sample(cell.map, cell.filter, x, y), places);
     }
 
-    /// Paints the pixels that several cells cover. The front cell's colour has been painted; where it is not
-    /// opaque, the others show.
+    /// Adds the other cells where the front cell, whose colour is painted already, is not opaque.
     void resolveOverlaps() {
         m_cells.forOverlaps([&](int pixel, std::span<const int> cells) {
             const int x = pixel % m_job.view.width, y = m_begin + pixel / m_job.view.width;

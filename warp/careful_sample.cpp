@@ -80,7 +80,7 @@ template <typename T>
 class Level {
   public:
     Level(const TexelLevel& level, int channels) : m_level(level), m_channels(channels) {}
-    /// Returns the pixel (x, y), or the one of the border next to it.
+    /// Returns the pixel (x, y), or the nearest one of the border.
     Lanes at(int x, int y) const {
         const T* p = static_cast<const T*>(m_level.data) +
                      (static_cast<std::ptrdiff_t>(std::clamp(y, 0, m_level.height - 1)) * m_level.width +
@@ -171,7 +171,7 @@ class BoundedSum {
         return value + own.clamped(sum.light / m_weight);
     }
 
-    /// Returns the colour far from edges: only values that the type or light cannot have are corrected.
+    /// Returns the colour where no edge is near; removes only values that the type or light cannot have.
     float evenColour(const Sum& sum) const {
         const Range& own = sum.straight.empty() ? sum.uncovered : sum.associated;
         const float value = (sum.covering + sum.light) / m_weight;

@@ -26,11 +26,11 @@ struct ColourSpace {
 };
 
 /// Returns an ICC profile, version 4, of a matrix and a curve: colorants adapted to D50 by Bradford's
-/// transform (ICC.1:2022, annexes E and F). `grey`: the curve alone. Empty where the chromaticities span no
+/// transform (ICC.1:2022, annexes E and F); for `grey` the curve alone. Empty if the chromaticities span no
 /// colours.
 std::vector<std::byte> iccProfileOf(const ColourSpace& space, bool grey);
 
-/// Returns the same with the colorants of BT.709 and a curve given as the data of an ICC tag.
+/// Does the same with the colorants of BT.709 and a curve given as the data of an ICC tag.
 std::vector<std::byte> colouredProfileOf(std::string_view curve);
 
 }  // namespace wend

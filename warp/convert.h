@@ -20,7 +20,7 @@ PixelLayout layoutOf(const Image& image);
 /// bits.
 void loadRow(const Image& image, int y, float* out);
 
-/// Stores a row, the opposite of loadRow: integers are clamped and rounded to the nearest.
+/// Does the opposite of loadRow(): integers are clamped and rounded to the nearest.
 void storeRow(Image& image, int y, const float* in);
 
 /// Returns the picture in another layout; unchanged if it already has it. Grey becomes equal colours; surplus

@@ -18,8 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Returns the file's name as ffmpeg's protocol for files, so that no part of a name can be mistaken for an
-/// option.
+/// Returns the file's name with ffmpeg's prefix for files, so that no name is taken for a URL or an option.
 std::string fileWord(const std::string& path) {
     return "file:" + std::filesystem::absolute(path).string();
 }
@@ -100,7 +99,7 @@ Words soundCodec(FilmFormat format) {
     return {"-c:a", "aac", "-b:a", "192k"};
 }
 
-/// Returns the first line of ffmpeg's output, without the address of the part that printed it.
+/// Returns the first line of ffmpeg's output, without the address of the component that printed it.
 std::string reasonIn(const std::string& output) {
     std::istringstream lines(output);
     std::string line;
@@ -139,7 +138,8 @@ class FfmpegFilm final : public FilmEncoder {
 
     bool hasSound() const { return m_format.sound && !m_writing.options.sound.file.empty(); }
 
-    /// Returns the filter that leaves out the last column and row of a size that must be even and is not.
+    /// Returns the filter that crops an odd last column or row where the format needs even sizes; empty if
+    /// nothing is cropped.
     std::string cropOf(const Image& frame) const {
         const int width = frame.width / 2 * 2, height = frame.height / 2 * 2;
         if (!m_format.even || (width == frame.width && height == frame.height)) return {};

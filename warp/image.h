@@ -56,7 +56,7 @@ struct Image {
     std::size_t rowBytes() const { return pixelBytes() * static_cast<std::size_t>(width); }
     int colours() const { return alpha ? channels - 1 : channels; }
     const std::byte* row(int y) const { return data.data() + rowBytes() * static_cast<std::size_t>(y); }
-    /// Zeros for pixels.
+    /// Makes pixels of zeros.
     void makePixels();
     /// Reserves memory without initializing it: for large pictures in huge pages if available, because
     /// faulting in small ones would take longer than painting.
@@ -78,8 +78,8 @@ inline constexpr double kMaxMegapixels = 400;
 Image readImage(const std::string& path, double maxMegapixels = kMaxMegapixels,
                 std::vector<Message>* notices = nullptr);
 
-/// Reads one layer of a file with layers, without the opacity and the place that the file gives it. Throws
-/// InputError(path, why) if there is no such layer.
+/// Does the same for one layer of a file with layers, without the opacity and the place that the file gives
+/// it. Throws InputError(path, why) if there is no such layer.
 Image readLayer(const std::string& path, const std::string& layer, std::vector<Message>* notices = nullptr);
 
 /// Writes by extension (png, tif, exr, jpg, webp …), whole or not at all; depth is converted to the nearest

@@ -113,8 +113,8 @@ const Format& formatOf(const std::string& path) {
                                " (known: " + known + ")");
 }
 
-/// Returns the nearest type that loses nothing, or else the format's widest: 16-bit integers need a float, a
-/// half does not hold them.
+/// Returns the nearest type that loses nothing, or else the format's widest: 16-bit integers need a float,
+/// because a half does not hold them.
 PixelType nearestType(const Format& format, PixelType type) {
     const auto holds = [&](PixelType t) { return format.types[static_cast<std::size_t>(t)]; };
     if (holds(type)) return type;
@@ -235,8 +235,8 @@ Image croppedTo(const PixelBox& box, const Image& strip, int& top) {
 
 using ForStrips = std::function<bool(const TakeRows&)>;
 
-/// An EXR picture whose source stored a part of its display window stores a part, too: the same, unless what
-/// is not zero reaches beyond it. The rows are made twice.
+/// Writes a part of an EXR picture if its source stored a part of its display window: the same part, unless
+/// there are pixels beyond it that are not zero. The rows are made twice.
 void keepWindow(const Image& header, const ForStrips& all, PictureToWrite& writing) {
     SeenBox seen;
     all([&](int top, const Image& strip) {

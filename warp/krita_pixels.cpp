@@ -89,7 +89,7 @@ KritaPixels::KritaPixels(std::string bytes, std::string other)
         takeTile(at, nextLine(m_bytes, at));
 }
 
-/// Takes a tile, whose line is "X,Y,LZF,SIZE".
+/// Reads a tile, whose line is "X,Y,LZF,SIZE".
 void KritaPixels::takeTile(std::size_t& at, std::string_view line) {
     Tile tile{};
     tile.x = numberIn(upTo(',', line), -kFarthest, kFarthest);
@@ -118,7 +118,8 @@ std::size_t KritaPixels::tileBytes() const {
     return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height) * m_pixelBytes;
 }
 
-/// The first byte says whether the others are packed. If so, the first bytes of all pixels come first.
+/// Unpacks a tile. The first byte says whether the others are packed; if so, the first bytes of all pixels
+/// come first.
 std::string KritaPixels::unpacked(const Tile& tile) const {
     const std::string_view bytes = std::string_view(m_bytes).substr(tile.begin, tile.size);
     const std::string_view content = bytes.substr(1);

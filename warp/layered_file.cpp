@@ -68,7 +68,7 @@ bool isIsolated(const pugi::xml_node& node, const Description& description) {
            !isPlainBlend(blendOf(node, description));
 }
 
-/// The whole picture is a stack in OpenRaster, too, but none of the layers' groups.
+/// Returns whether the node is a group. In OpenRaster the whole picture is a stack, too, but no group.
 bool isGroup(const pugi::xml_node& node) {
     const std::string_view kind = node.name();
     return (kind == "stack" && std::string_view(node.parent().name()) == "stack") ||

@@ -84,8 +84,8 @@ class JpegSegments {
     bool m_mended = false;
 };
 
-/// A PNG is eight bytes and a row of chunks: the length of its data, four letters, the data, their checksum.
-/// All of it is there (pngProblem).
+/// Repairs the EXIF of a complete PNG (pngProblem): eight bytes and a row of chunks, each with the length of
+/// its data, four letters, the data and their checksum.
 std::string mendedPng(const InputFile& file) {
     constexpr std::size_t head = 8, checksum = 4;
     std::uint64_t at = 8;

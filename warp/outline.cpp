@@ -57,7 +57,7 @@ class AlphaRows {
         values[1] = values[2];
         values[m_image.width + 2] = values[m_image.width + 1];
     }
-    /// Returns whether no alpha above 0 was met.
+    /// Returns whether no alpha was above 0.
     bool empty() const { return m_empty; }
 
   private:

@@ -40,7 +40,7 @@ class ContourTracer {
     std::vector<int> m_next;
 };
 
-/// Returns the zero between two nodes; it is kept off the nodes so that contours do not meet in one.
+/// Returns the zero between two nodes, kept off the nodes so that contours do not meet in one.
 double between(double p, double q, float atP, float atQ) {
     const double t = static_cast<double>(atP) / (static_cast<double>(atP) - atQ);
     return p + (q - p) * std::clamp(t, 1e-3, 1 - 1e-3);

@@ -31,7 +31,7 @@ using RowSource = std::function<void(int row, std::vector<float>& values)>;
 
 /// Returns the closed zero contours by marching squares, without repeated points: linear along grid edges,
 /// ambiguous cells decided by their mean. Loops do not cross. Memory grows with the contours only. Throws
-/// InputError when there are too many.
+/// InputError if there are too many.
 std::vector<std::vector<Vec2>> zeroContours(const ContourGrid& grid, const RowSource& source);
 
 }  // namespace wend

@@ -16,7 +16,7 @@ class GrownShape {
     GrownShape(const ContourGrid& grid, const std::vector<std::vector<Vec2>>& loops, double margin,
                double gap);
 
-    /// A RowSource: rows in ascending order.
+    /// Fills a row, as RowSource does, in ascending order.
     void fillRow(int row, std::vector<float>& values);
 
   private:

@@ -100,7 +100,7 @@ auto marked(const Marks& marks, std::string_view head) {
     return std::ranges::find_if(marks, fits);
 }
 
-/// A name within the file counts only in the container that it is of.
+/// Returns whether the file has the container of the format, because other files may contain the same name.
 bool isInItsContainer(PictureFormat format, std::string_view head) {
     switch (format) {
         case PictureFormat::Webp:
@@ -117,7 +117,7 @@ bool isInItsContainer(PictureFormat format, std::string_view head) {
     }
 }
 
-/// An SVG file may begin with a byte-order mark, and with comments of any length.
+/// Returns whether the file is SVG, which may begin with a byte-order mark and comments of any length.
 bool isSvg(const InputFile& file, std::string_view head) {
     constexpr std::size_t kLongestPrologue = 65536;
     if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
@@ -128,7 +128,7 @@ bool isSvg(const InputFile& file, std::string_view head) {
     return isXml && file.bytes(0, kLongestPrologue).find("<svg") != std::string::npos;
 }
 
-/// Bytes below a blank that no text has.
+/// Returns whether there are no control characters but white space.
 bool isText(std::string_view head) {
     return std::ranges::none_of(head, [](unsigned char c) { return c < ' ' && !(c >= '\t' && c <= '\r'); });
 }

@@ -51,7 +51,7 @@ class PixelSink {
     virtual ~PixelSink() = default;
     /// Receives the picture without its pixels, before these. Returns room for that many rows.
     virtual std::byte* begin(const Image& header, int rows) = 0;
-    /// Takes the next rows, which are in the room.
+    /// Called when the next rows are in the buffer.
     virtual void take(int rows) = 0;
 };
 
@@ -104,7 +104,7 @@ class PictureLibrary {
     /// Throws InputError(path, why) if the file is not what was handed over.
     virtual void write(const PictureToWrite& writing) const = 0;
     /// Makes an animated WebP, which is in memory until it is complete. Throws InputError(path, why) for a
-    /// rate that the format does not hold.
+    /// rate that the format cannot have.
     virtual std::unique_ptr<FilmEncoder> film(const FilmToWrite& writing) const = 0;
 };
 

@@ -106,7 +106,7 @@ class Reading {
         if (answer.contains("memory")) failForMemory();
         return answer;
     }
-    /// Returns `text` with the file named as by the caller.
+    /// Returns `text` with the file named as the caller names it.
     Message properlyNamed(const Message& text) const {
         return withTexts(text, [this](std::string part) {
             const auto at = part.find(m_absolute);

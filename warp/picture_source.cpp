@@ -37,7 +37,7 @@ void tellOf(const PngExtras& extras, std::vector<Message>& notices) {
                            extras.unknownColours});
 }
 
-/// Returns the picture of all layers, in place of the archive that it is in.
+/// Returns the picture of all layers in place of the archive that contains it.
 InputFile mergedPicture(const std::string& path, PictureSource& source) {
     LayeredFile layered = readLayeredFile(path, source.format);
     source.format = PictureFormat::Png;
@@ -58,7 +58,7 @@ void requireDrawable(const InputFile& file) {
     if (file.size() > kLongest) throw InputError(file.path(), "is a drawing of more than 256 MB");
 }
 
-/// Returns a drawing as pixels: all of it, or one layer.
+/// Draws a drawing or one layer of it as pixels.
 PictureSource drawing(const InputFile& file, const std::string& layer, const DrawnSize& size,
                       PictureSource source) try {
     requireDrawable(file);

@@ -20,7 +20,7 @@ class PixelCells {
           m_onTop(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows), -1) {}
 
     bool empty() const { return m_onTop.empty(); }
-    /// Puts a cell over those that came before.
+    /// Places a cell over those that came before.
     void cover(int y, int from, int to, int cell) {
         const int first = (y - m_top) * m_width;
         for (int pixel = first + from; pixel < first + to; ++pixel) {

@@ -401,7 +401,7 @@ class PsdPlanes {
         return found->second;
     }
 
-    /// Returns the mask's number at a pixel of the picture, of as many bits as those of the planes.
+    /// Returns the mask's number at a pixel of the picture, with as many bits as those of the planes.
     std::uint32_t maskAt(const PsdMask& of, const std::string& mask, int x, int y) const {
         const PixelBox& box = of.box;
         if (x < box.x || y < box.y || x >= box.x + box.width || y >= box.y + box.height)

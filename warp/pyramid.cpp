@@ -27,8 +27,8 @@ int finiteFirst(std::array<const T*, 4>& pixels, int channels) {
     return end == pixels.begin() ? 4 : static_cast<int>(end - pixels.begin());
 }
 
-/// Computes the mean of four pixels without those that are not finite; colours weighted with alpha where they
-/// are not associated.
+/// Averages four pixels without those that are not finite; colours that are not associated are weighted with
+/// alpha.
 template <typename T>
 void average(std::array<const T*, 4> pixels, const Image& image, T* target) {
     const int channels = image.channels, count = finiteFirst(pixels, channels);

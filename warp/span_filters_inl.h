@@ -126,8 +126,7 @@ class Filters {
         return limited(colour(low(sum) + high(sum)));
     }
 
-    /// Returns the mean over an ellipse, which becomes the cubic where the ellipse is nearly the unit
-    /// circle's.
+    /// Returns the mean over an ellipse, blended into the cubic where the ellipse is nearly the unit circle.
     HWY_ATTR HWY_INLINE Colour ewa(int i, int j, float s, float t) const {
         Colour soft = all(0);
         const bool found = m_blend != 0 && elliptical(i, j, s, t, soft);

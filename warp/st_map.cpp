@@ -46,7 +46,8 @@ class StPainter {
         return {pixel(cell[0]), pixel(cell[1]), pixel(cell[2])};
     }
 
-    /// Puts a pixel on the outline: position of the cell that covers most of it, alpha = coverage.
+    /// Writes a pixel on the outline: the position in the cell that covers most of it, and the coverage as
+    /// alpha.
     void put(const CellMap& map, int x, int y, float coverage) {
         const Vec2 p = m_view.origin + m_view.scale * Vec2(x + 0.5, y + 0.5);
         const Vec2 source = map.source(p);

@@ -40,7 +40,8 @@ struct TgaHeader {
         const unsigned ofPalette = paletteLength * ((paletteBits + 7) / 8);
         return 18.0 + idLength + ofPalette;
     }
-    /// Returns the least size of a file with this header. A packet of a packed file holds up to 128 pixels.
+    /// Returns the least size of a file of these dimensions. A packet of a packed file holds up to 128
+    /// pixels.
     double minSize() const {
         const int each = (bits + 7) / 8;
         const double pixels = 1.0 * width * height;

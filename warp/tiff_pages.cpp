@@ -25,7 +25,7 @@ bool hasAlpha(const TiffDirectory& page) {
     return samples == 2 || samples == 4;
 }
 
-/// A position is in the unit of the resolution.
+/// Converts a position, which is in the unit of the resolution, to pixels.
 int pixels(std::optional<double> position, std::optional<double> resolution) {
     constexpr double kFarthestPage = 1e8;
     const double place = position.value_or(0) * resolution.value_or(1);

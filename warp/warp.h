@@ -60,7 +60,7 @@ CanvasPlace placeOf(const View& view, int sourceWidth, int sourceHeight);
 Image warpImage(const Image& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 
-/// Returns the same with the picture's pyramid made before, for a window that draws it again and again.
+/// Does the same with a given pyramid of the picture, for a window that draws it again and again.
 Image warpImage(const Pyramid& source, const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                 const WarpOptions& options = {});
 

@@ -164,7 +164,7 @@ class SvgFile::Carrier {
         });
     }
 
-    /// Moves a gradient or pattern by the affine map that is nearest to the motion on its path.
+    /// Carries a gradient or pattern along by the affine map that is nearest to the warp on its path.
     void carryPaint(const std::string& paint, const SvgPath& source, const Affine& back) {
         if (!paint.starts_with("url(#")) return;
         const auto found = m_byId.find(paint.substr(5, paint.find(')') - 5));

@@ -57,7 +57,8 @@ bool needsColours(const Image& source, const WarpOptions& options) {
     return options.outside == Outside::Colour && source.colours() < 3 && !isGrey;
 }
 
-/// Returns the picture itself, which the caller keeps, or with equal colours where it needs some.
+/// Returns the picture itself, which the caller keeps, or a copy with equal colours if a grey picture needs
+/// some.
 std::shared_ptr<const Image> colouredAsNeeded(const Image& source, const WarpOptions& options) {
     if (!needsColours(source, options)) return {std::shared_ptr<const Image>(), &source};
     PixelLayout layout = layoutOf(source);
@@ -147,7 +148,7 @@ void sortIntoBands(WarpJob& job) {
     }
 }
 
-/// Makes the job without its source; `levels`: what the source's pyramid has, or might have.
+/// Makes the job without its source; `levels` are those that the source's pyramid has or might have.
 std::unique_ptr<WarpJob> makeJob(const Image& source, int levels, const SimplicialMesh<2>& rest,
                                  const Points2& pose, const View& view, const WarpOptions& options) {
     requireFinite(pose);

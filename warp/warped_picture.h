@@ -21,12 +21,12 @@ class WarpedPicture {
                   const WarpOptions& options);
     ~WarpedPicture();
 
-    /// Size, layout and metadata; no pixels. A picture without alpha gets one only if some pixel is not
-    /// covered.
+    /// Returns size, layout and metadata without pixels. A picture without alpha gets one only if some pixel
+    /// is not covered.
     const Image& header() const;
 
-    /// Rows from `top`, a multiple of kRows, as many as `strip` has, which comes with zeros. False if the
-    /// options' token stopped it. Not for several threads at a time.
+    /// Paints rows from `top`, a multiple of kRows, as many as `strip` has, which comes with zeros. Returns
+    /// false if the options' token stopped it. Not for several threads at a time.
     bool paint(int top, Image& strip) const;
 
     /// Returns whether WarpOptions::makePainter's painter paints the cells: it blends none.

@@ -40,7 +40,7 @@ std::vector<std::string> writtenAlong(const std::string& path);
 /// always possible; empty names are ignored.
 void requirePlaces(const std::vector<std::string>& paths);
 
-/// "dir/f_####.png" and 7 → "dir/f_0007.png": the last run of # is the number.
+/// Returns "dir/f_0007.png" for "dir/f_####.png" and 7: the last run of # is the number.
 std::string frameName(const std::string& pattern, int number);
 /// Returns the number of the frame that has this name in the sequence, if there is one.
 std::optional<int> frameNumber(const std::string& pattern, const std::string& name);

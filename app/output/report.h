@@ -16,8 +16,8 @@ struct HandleReach {
     double share = 1;
 };
 std::vector<HandleReach> reachedAt(const Design& design, double time);
-/// "handle "hand" reaches only 60 % of its motion …" for a project that ends before its motions do; else
-/// empty.
+/// Returns "handle "hand" reaches only 60 % of its motion …" for a project that ends before its motions do;
+/// else empty.
 std::string fallsShort(const Project& project);
 
 /// The content of a report (contract of the command line).
@@ -37,21 +37,21 @@ struct RunFigures {
     std::vector<std::string> notices = {};
 };
 std::string reportJson(const RunFigures& figures);
-/// {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
+/// Returns {"asked", "got", "worstCell", "cellsAbove", "facets"} of a verdict, as text.
 std::string verdictJson(const MeshVerdict& verdict);
 /// Returns {"edge", "bodies", "parts", "apart", "gaps", "why"}, as text.
 std::string cageJson(const CageFacts& cage);
-/// {"selfCrossings": {"places", "pairs", "first"}, "blownUp": {"factor", "cells", "places", "worst"}} as
-/// text.
+/// Returns {"selfCrossings": {"places", "pairs", "first"}, "blownUp": {"factor", "cells", "places", "worst"}}
+/// as text.
 template <int Dim>
 std::string faultsJson(const PoseFaults<Dim>& faults);
 /// Returns, as text, {"before", "after"}, each {"scaledJacobian", "aspectRatio", "minAngle", "maxAngle"} with
 /// the worst value, its cell and the mean (see CellShape; degrees).
 template <int Dim>
 std::string qualityJson(const SimplicialMesh<Dim>& rest, const Points<Dim>& pose);
-/// "the canvas of 400 x 300 pixels begins at x -12, y 0 of the picture".
+/// Returns for example "the canvas of 400 x 300 pixels begins at x -12, y 0 of the picture".
 std::string canvasText(const View& canvas);
-/// "20 steps; …": how near the end is to the truth.
+/// Returns "20 steps; …": how near the end is to the truth.
 std::string summaryText(const Statistics& statistics, const IntegrationOptions& integration);
 
 }  // namespace wend

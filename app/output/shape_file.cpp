@@ -64,7 +64,8 @@ void addQuality(const std::vector<CellShape>& shapes, const std::string& suffix,
     for (MeshField* field : {&jacobian, &aspect, &least, &greatest}) fields.push_back(std::move(*field));
 }
 
-/// Values of cells at the vertices: means over the cells around, weighted with their rest volumes.
+/// Returns the values of cells at the vertices: means over the cells around, weighted with their rest
+/// volumes.
 std::vector<double> atVertices(const SimplicialMesh<3>& rest, const MeshField& field) {
     std::vector<double> values(static_cast<std::size_t>(rest.vertexCount()) * field.components, 0.0);
     std::vector<double> weights(static_cast<std::size_t>(rest.vertexCount()), 0.0);

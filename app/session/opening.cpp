@@ -141,7 +141,7 @@ OpenedFile openProject(const QString& path, const QMap<QString, QString>& found 
     return file;
 }
 
-/// The pictures that are cut out are taken by their outline, others whole.
+/// Returns whether the picture is cut out and should be taken by its outline.
 bool hasTransparency(const Image& image) {
     if (!image.alpha) return false;
     try {
@@ -154,7 +154,7 @@ bool hasTransparency(const Image& image) {
     }
 }
 
-/// No pixel shows more than a trace of colour.
+/// Returns whether no pixel shows more than a trace of colour.
 bool isBlank(const Image& image) {
     constexpr float kTrace = 1.5F / 255;
     if (!image.alpha) return false;

@@ -24,9 +24,9 @@ OpenedFile openFile(const QString& path, bool evenIfBlank = false, const DrawnSi
 /// Throws as openFile(), and for files that are not pictures.
 OpenedFile openTogether(const QStringList& paths);
 
-/// Returns the files that a project needs and that are not there, by their absolute paths.
+/// Returns the absolute paths of the files that a project needs and that are missing.
 QStringList missingFiles(const QString& project);
-/// Returns the project with other files in the place of those.
+/// Opens a project with other files in the place of missing ones.
 OpenedFile openMoved(const QString& project, const QMap<QString, QString>& found);
 
 /// Work that was lost in a crash, as changes that are not saved yet. Throws as openFile().

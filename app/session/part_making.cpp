@@ -182,7 +182,7 @@ std::vector<NamedSheet> sheetsOf(const ShapeSession& session, const std::string&
     return sheets;
 }
 
-/// Returns the frontmost sheet that fills the area about as well as any.
+/// Returns the frontmost sheet that fills the area about as well as the best one; null if none does.
 const NamedSheet* sheetBelow(const Outline& area, const std::vector<NamedSheet>& sheets) {
     std::vector<double> covered;
     for (const NamedSheet& one : sheets) covered.push_back(coveredArea(area, one.sheet));

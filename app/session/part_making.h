@@ -17,7 +17,7 @@ class ShapeSession;
 /// photograph that fills its frame and has no pins is held. Says what has been made, or why it cannot be.
 void makePart(ShapeSession& session, const Outline& area);
 
-/// Does the same with the outline that the user has drawn in a picture; the rest of the picture becomes the
+/// Does the same for the outline that the user has drawn in a picture; the rest of the picture becomes the
 /// ground. Returns false if nothing is drawn.
 bool makePartOfOutline(ShapeSession& session);
 
@@ -47,7 +47,7 @@ double coveredArea(const Outline& area, const Sheet& sheet);
 /// small part of the border; none for an area inside a picture, or with several such stretches.
 std::optional<PartSeam> seamOf(const Outline& area, const Sheet& sheet);
 
-/// Returns the area with a disc around the seam, which covers the joint wherever the limb turns.
+/// Returns the area with a disc around the seam, which covers the joint however the limb is rotated.
 Outline withCap(const Outline& area, const PartSeam& seam);
 
 }  // namespace wend

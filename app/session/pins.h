@@ -20,7 +20,7 @@ struct PinView {
     Vec3 centre = Vec3::Zero();
 };
 
-/// Returns the handles that hold the shape at `time`, in the pose of a frame; or those that do not.
+/// Returns the handles that hold the shape at `time`, in the pose of a frame, or those that do not.
 std::vector<PinView> viewPins(const std::vector<Pin>& handles, const std::vector<PinPlace>& places,
                               const ShapeFrame& frame, double time, bool holding = true);
 
@@ -47,12 +47,12 @@ class ShownPins {
     int count() const;
     /// Returns whether a handle may not be changed: it is locked, or the part that it is in.
     bool isLocked(int handle) const;
-    /// Returns the name of one, or how many they are.
+    /// Returns the name of a single handle, or else their number.
     QString nameOf(const std::vector<int>& handles) const;
     /// Returns the pins that act at a time, or those that do not; hidden ones only if `all`.
     std::vector<PinView> at(double time, bool holding, bool all) const;
     std::vector<Vec3> pathStarts(int handle) const;
-    /// Returns the vertices that a handle of a solid holds, increasing.
+    /// Returns the vertices that a handle of a solid holds, in increasing order.
     std::vector<int> verticesOf(int handle) const;
     Placement<3> placementOf(const std::vector<int>& vertices) const;
     /// Resets the cache for another file.

@@ -360,7 +360,7 @@ bool ShapeGesture::pushPose(const Gesture& gesture, const std::vector<Vec3>& sta
     return true;
 }
 
-/// A gesture replaces the later motion of its own handles or, if they have none, of all.
+/// Tells that a gesture has replaced the later motion of its own handles or, if they have none, of all.
 void ShapeGesture::tellReplaced(const std::vector<Pin>& before, const std::vector<int>& own, double from,
                                 const QString& otherwise) {
     Design replaced;

@@ -36,7 +36,7 @@ class ShapeGesture : public QObject {
     /// Returns the handles that hold at that time. Dragged ones are where the pointer has them: they follow
     /// at once, the shape later. Hidden ones are among them only if `all`.
     std::vector<PinView> pins(bool all = false) const;
-    /// Returns the handles that do not hold at that time: where they would be. None that is hidden.
+    /// Returns where the handles that do not hold at that time would be, without hidden ones.
     std::vector<PinView> ghosts() const { return m_pins.at(time(), false, false); }
     /// Announces that handles may have come, gone or moved.
     void tellPins() { emit pinsChanged(); }

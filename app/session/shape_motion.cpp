@@ -200,7 +200,7 @@ void ShapeMotion::showLive(const FramePtr& frame) {
     show(frame, false);
 }
 
-/// The last frames may still arrive.
+/// Previews the last frame until those of the drag that are still on their way arrive.
 void ShapeMotion::endDrag() {
     m_dragging = false;
     m_compute->post(EndDrag{});
@@ -221,7 +221,7 @@ void ShapeMotion::takeTime(double time) {
     showTime();
 }
 
-/// A drag shows its own frames.
+/// Does nothing during a drag, which shows its own frames.
 void ShapeMotion::showTime() {
     if (m_dragging) return;
     FramePtr frame = m_track.at(m_playback.time());

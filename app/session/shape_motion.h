@@ -49,8 +49,8 @@ class ShapeMotion : public QObject {
     /// Returns true while the shape or its material is being made, rather than its motion.
     bool isMeshing() const { return m_busy && !m_trackIsCurrent; }
     bool isDragging() const { return m_dragging; }
-    /// Returns the length in domain units that a tolerance of the stroke is measured in: one pixel of a
-    /// picture, or a 2000th of the shape's diagonal.
+    /// Returns the unit of the stroke's tolerance, in domain units: one pixel of a picture, or a 2000th of
+    /// the shape's diagonal.
     double pixel() const;
     /// Returns the start time of gestures and new pins: the shown time, or 0 before anything moves.
     double gestureTime() const;

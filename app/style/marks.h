@@ -16,7 +16,7 @@ struct PinTraits;
 double markSize();
 void setMarkSize(double factor);
 
-/// Converts the length of a mark from pixels of the screen for the usual size.
+/// Returns the length of a mark that is given in pixels of the screen for the usual size.
 inline double marked(double pixels) {
     return pixels * markSize();
 }

@@ -74,7 +74,7 @@ double paintOpacity(double mapOpacity) {
     return std::min(1.0, mapOpacity * kPaintOpacity / kMapOpacity);
 }
 
-/// A cell without area may have NaN, which counts as the largest value.
+/// Treats NaN, which a cell without area may have, as the largest value.
 std::vector<double> smoothPlaces(const ShapeFrame& frame, const std::vector<double>& ofCells, Measure measure,
                                  const MeasureRange& range) {
     std::vector<double> places = vertexMeans(frame, ofCells, 0.0);

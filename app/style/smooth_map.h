@@ -16,11 +16,11 @@ std::vector<bool> sharpCells(const ShapeFrame& frame, const std::vector<double>&
 /// Returns the opacity of paint over a picture for an opacity of maps.
 double paintOpacity(double mapOpacity);
 
-/// Makes a map without cell borders: values are averaged at the vertices (vertexMeans), interpolated as
-/// positions in the range, and coloured per place. Returns the positions of the vertices, in [0, 1].
+/// Computes a map without cell borders: values are averaged at the vertices (vertexMeans), interpolated as
+/// positions in the range, and coloured per pixel. Returns the positions of the vertices, in [0, 1].
 std::vector<double> smoothPlaces(const ShapeFrame& frame, const std::vector<double>& ofCells, Measure measure,
                                  const MeasureRange& range);
-/// Returns the colours of the places, in even steps from 0 to 1.
+/// Returns the colours of the positions, in even steps from 0 to 1.
 std::vector<QRgb> colourRamp(Measure measure);
 
 }  // namespace wend

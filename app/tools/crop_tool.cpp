@@ -98,7 +98,7 @@ std::shared_ptr<const Image> CropTool::picture() const {
     return frame ? frame->built->picture : nullptr;
 }
 
-/// A 2D mesh may have any placement in its picture.
+/// Returns a point in pixels of the picture, in which a 2D mesh may have any placement.
 Vec2 CropTool::toPixels(const QPointF& widget) const {
     const auto frame = session().motion().frame<2>();
     const Vec2 at = view().toShape(widget);
@@ -172,7 +172,7 @@ void CropTool::drawTo(const Vec2& pixel, bool proportional) {
     m_crop.set(between(a, b));
 }
 
-/// A click outside the rectangle leaves it unchanged.
+/// Ends a drag; a click outside the rectangle leaves it unchanged.
 void CropTool::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_active) return;
     m_active = false;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kHeight = 24, kLabelDot = 5;  // pixels
 
-/// Paints the ground of a label, and returns the room that is left for its text.
+/// Paints the background of a label, and returns the box for its text.
 QRectF paintGround(QPainter& painter, const QString& text, double before, bool isLeft = false) {
     const double width = painter.fontMetrics().horizontalAdvance(text) + before + 16;
     const QRectF box(isLeft ? -width : 0, 0, width, kHeight);

@@ -65,7 +65,7 @@ std::optional<PinRing::Part> PinRing::anywhere() const {
     return m_kind == Grip::Kind::Move ? std::nullopt : std::optional(Part{m_kind});
 }
 
-/// The dot starts at the upper right, the square at the lower right.
+/// Returns the place of a knob: the dot starts at the upper right, the square at the lower right.
 QPointF PinRing::spot(Grip::Kind kind, const QPointF& centre) const {
     const double angle = kind == Grip::Kind::Turn ? m_turned - std::numbers::pi / 4 : std::numbers::pi / 4;
     return centre + marked(kRadius) * QPointF(std::cos(angle), std::sin(angle));
@@ -206,7 +206,7 @@ std::vector<Manipulator::Part> Manipulator::parts() const {
     return {{Kind::Move, 2}, {Kind::Turn, 0}, {Kind::Turn, 1}};
 }
 
-/// Returns the line that is drawn and taken hold of.
+/// Returns the line that is drawn and can be dragged.
 std::vector<Vec3> Manipulator::outline(const Part& part, const ShapeView& view) const {
     const double pixel = length(view);
     if (part.kind == Grip::Kind::Move && part.plane) {

@@ -104,7 +104,7 @@ class PinRing : public Gizmo {
     void begin(const Part& part, const ShapeView& view, const QPointF& widget) override;
     Grip grip(const ShapeView& view) const override;
     Amount drag(const ShapeView& view, const QPointF& widget, bool snaps = false) override;
-    /// A typed length is along the axis, or where the drag went last.
+    /// Applies a typed length along the axis, or else in the direction of the drag.
     Amount typed(double number, const ShapeView& view) const override;
 
     void paint(QPainter& painter, const ShapeView& view, const std::optional<Part>& lit) const override;
@@ -131,7 +131,7 @@ class Manipulator : public Gizmo {
     void setGrip(Grip::Kind kind) override;
     bool comesFirst() const override { return true; }
     using Gizmo::place;
-    /// The axes are the columns.
+    /// Places the manipulator with the columns of `axes` as its axes.
     void place(const Vec3& centre, const Mat3& axes);
     Vec3 axis(int k) const { return m_axes.col(k); }
     QString hint() const override;

@@ -17,7 +17,8 @@ std::optional<QPointF> arrowOf(const QKeyEvent& key);
 /// that replaces mouse clicks.
 class KeyCross {
   public:
-    /// An arrow key moves it, and Enter calls `click` where it is. Returns whether the key was used.
+    /// Moves the cross with the arrow keys, and calls `click` where it is with Enter. Returns true if the key
+    /// was used.
     bool take(const QKeyEvent& key, ShapeView& view, const std::function<void(const QPointF&)>& click);
     /// How Enter acts on a tool's button.
     enum class Enter { Clicks, Presses, LetsGo };
@@ -26,7 +27,7 @@ class KeyCross {
     bool clicks(const QKeyEvent& key, ShapeView& view, Tool& tool, Enter enter = Enter::Clicks);
     /// Returns whether the tool's current event comes from the keyboard.
     bool isAtWork() const { return m_clicks; }
-    /// The mouse has taken over.
+    /// Hides the cross when the mouse is used again.
     void hide() {
         if (!m_clicks) m_at.reset();
     }

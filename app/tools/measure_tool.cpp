@@ -28,7 +28,7 @@ double degrees(const std::vector<Vec3>& p) {
     return 2 * std::atan2((a - b).norm(), (a + b).norm()) * 180 / std::numbers::pi;
 }
 
-/// Returns the corner of the cell that is nearest to a point of it.
+/// Returns the corner of the touched cell that is nearest to the touched point.
 Vec3 nearestCorner(const ShapeFrame& frame, const Touch& touch) {
     return frame.vertex(*std::ranges::min_element(frame.corners(touch.place.cell), {}, [&](int v) {
         return (frame.vertex(v) - touch.point).squaredNorm();

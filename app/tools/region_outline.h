@@ -15,8 +15,8 @@ std::vector<std::vector<Vec3>> regionOutline(const Region<3>& region, const Vec3
 /// Draws regions of a solid where they are now; of many balls one circle each.
 void paintRegions(QPainter& painter, ShapeView& view, const std::vector<Region<3>>& regions, const QPen& pen);
 
-/// Returns the border of a part of a picture that is held as a whole, where it now is; the hull of its points
-/// where the region has no end.
+/// Returns the border, where it now is, of a part of a picture that is held as a whole; if the region is
+/// unbounded, the hull of its points.
 std::vector<Vec3> regionBorder(const Pin& handle, const PinView& view, const ShapeFrame& frame);
 
 }  // namespace wend

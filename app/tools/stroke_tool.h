@@ -50,13 +50,13 @@ class StrokeTool : public ShapeTool<> {
     virtual bool takesAway() const { return m_modifiers & Qt::ControlModifier; }
     /// Returns whether Shift-click draws a straight line from the end of the last stroke.
     virtual bool drawsLines() const { return false; }
-    /// A stroke begins.
+    /// Called when a stroke begins.
     virtual void begin() {}
     /// Returns the rest direction that a ball stores; zero for none.
     virtual Vec3 axisAt(const ShapeFrame&, const Touch&) const { return Vec3::Zero(); }
     /// Called when a stroke has become longer.
     virtual void follow(const std::vector<Dab>&) {}
-    /// A stroke is complete; it has at least one ball.
+    /// Called when a stroke is complete; it has at least one ball.
     virtual void take(const std::vector<Dab>& dabs) = 0;
     virtual QColor colour() const = 0;
     /// Draws the stroke so far.

@@ -60,13 +60,13 @@ class Tool {
     virtual bool key(const QKeyEvent& event) = 0;
     /// Gives up the gesture, as if it had not begun.
     virtual void cancel() = 0;
-    /// Returns whether the key is the tool's now although a shortcut has it.
+    /// Returns whether the tool uses the key now, although it is a shortcut.
     virtual bool ownsKey(const QKeyEvent&) const { return false; }
     /// Returns the kind of menu for this place, which the tool remembers.
     virtual MenuPlace menuAt(const QPointF&) { return MenuPlace::Canvas; }
     /// Returns the curve that it edits; null if it edits none.
     virtual CurveEditor* curve() { return nullptr; }
-    /// Returns whether a drag of the left button moves the view, as with the space bar.
+    /// Returns whether a drag with the left button pans the view, as with the space bar.
     virtual bool pans() const { return false; }
     /// Returns whether the tool shows a manipulator around the selection.
     virtual bool hasManipulator() const { return false; }
@@ -75,7 +75,7 @@ class Tool {
     /// Called when the tool becomes active or inactive.
     virtual void choose() {}
     virtual void dismiss() {}
-    /// The pointer is not over the view any more.
+    /// Called when the pointer leaves the view.
     virtual void leave() {}
     /// Re-evaluates the hover state; the scene changed under a still pointer.
     virtual void lookAgain() {}

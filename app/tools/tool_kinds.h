@@ -4,7 +4,7 @@
 
 namespace wend {
 
-/// The tools whose classes nothing else needs, for the table of tools.
+/// Return the tools whose classes nothing but the table of tools needs.
 ToolKind panTool();
 ToolKind cropTool();
 ToolKind penTool();

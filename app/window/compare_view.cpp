@@ -265,8 +265,8 @@ bool CompareView::isOnPin(const QPointF& at) const {
     return tool && tool->wants(at);
 }
 
-/// Both halves show the same part at the same scale with pins at the same places, so a drag of a pin in the
-/// other half is forwarded to the first.
+/// Forwards drags of pins in the other half to the first. Both halves show the same part at the same scale,
+/// with pins at the same places.
 bool CompareView::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
     const bool moves = type == QEvent::MouseMove, presses = type == QEvent::MouseButtonPress;

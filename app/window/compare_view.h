@@ -70,7 +70,7 @@ class CompareView : public QWidget {
     bool isSplit() const { return m_split; }
     /// Returns the other half for pictures.
     ShapeCanvas& picture() { return *m_picture; }
-    /// Returns the other half for solids; null before the first one is compared.
+    /// Returns the other half for solids; null before the first comparison of one.
     SolidCanvas* solid() { return m_solid; }
 
   public slots:
@@ -82,7 +82,7 @@ class CompareView : public QWidget {
 
   signals:
     void splitChanged(bool split);
-    /// The other half for solids is there.
+    /// Emitted when the other half for solids has been made.
     void solidMade(wend::SolidCanvas* solid);
 
   protected:

@@ -126,7 +126,7 @@ MainWindow::MainWindow(QWidget* parent)
     showDocument();
 }
 
-/// A hidden field applies the number being typed, so hide while the document exists.
+/// Hides the window while the document exists, because a hidden field applies the number being typed.
 MainWindow::~MainWindow() {
     hide();
 }
@@ -333,7 +333,8 @@ void MainWindow::connectViewport(Viewport& view) {
     connect(distortion, &DistortionPanel::placeWanted, &view, &Viewport::showPlace);
 }
 
-/// A comparison starts by a tile dragged to the shape, or by the action; hovering a tile previews it.
+/// Connects what starts a comparison: a tile dragged to the shape, or the action. Hovering over a tile
+/// previews it.
 void MainWindow::connectComparison() {
     EnergySlider& tiles = *m_properties->material().energySlider();
     for (ShapeCanvas* half : {m_canvas, &m_compare->picture()})
@@ -398,7 +399,7 @@ void MainWindow::connectFilm() {
         *m_canvas, [this] { return m_solids->canvas(); }, this));
 }
 
-/// A cycle that is marked or opened loops.
+/// Turns looping on when a cycle is marked or opened.
 void MainWindow::takeCycle() {
     const auto cycle = filmMarksOf(m_session.document()).cycle;
     m_session.playback().setCycle(cycle ? cycle->at(0) : 0, cycle ? cycle->at(1) : 0);

@@ -183,7 +183,8 @@ bool Properties::isDue(const When& when) const {
     return when.modes.has(m_tools.mode()) || (when.on && when.on->isChecked());
 }
 
-/// A new step starts at the top; within a step the panel of a new tool is scrolled into view.
+/// Shows the panels of the tool and step. A new step starts at the top; within a step the panel of a new tool
+/// is scrolled into view.
 void Properties::arrange() {
     const bool isNewStep = std::exchange(m_mode, m_tools.mode()) != m_tools.mode();
     if (isNewStep) m_scroll->verticalScrollBar()->setValue(0);
@@ -384,7 +385,8 @@ bool PropertiesRail::closesBy(const QWidget& widget, const QEvent& press) {
     return m_swallows;
 }
 
-/// A click on the view only closes the panels; a click on a bar works as usual.
+/// Closes the panels after a click outside. On the view the click does nothing else; on a bar it works as
+/// usual.
 bool PropertiesRail::eventFilter(QObject* watched, QEvent* event) {
     const auto* widget = qobject_cast<const QWidget*>(watched);
     if (!widget) return false;

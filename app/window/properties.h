@@ -71,7 +71,7 @@ class Properties : public QWidget {
     std::vector<Section> sections() const;
     /// Brings a section into view.
     void showSection(QWidget& section);
-    /// The cut's panel belongs to the first step, and is there while the cut is.
+    /// Shows the cut's panel in the first step while the action is on.
     void showCutWhile(const QAction& on);
 
   signals:
@@ -152,7 +152,7 @@ class PropertiesRail : public QWidget {
     void close();
 
   signals:
-    /// The keyboard is for the view again.
+    /// Emitted to return the keyboard to the view.
     void done();
 
   protected:

@@ -36,7 +36,7 @@ class SolidWorkshop : public QObject {
     SolidWorkshop(const Surroundings& around, QWidget& window);
 
     SolidActions& actions() { return m_actions; }
-    /// A solid is shown from now on, or no more. The view is then there, or a text that says why not.
+    /// Shows or hides the view of solids. If it cannot be made, its page has a text that says why.
     void setActive(bool active);
     bool isActive() const { return m_isActive; }
     /// Shows the domain's panels once the tools for solids exist.
@@ -58,7 +58,7 @@ class SolidWorkshop : public QObject {
     SolidCanvas* canvas() const { return m_canvas; }
 
   signals:
-    /// The view of solids is there.
+    /// Emitted when the view of solids has been made.
     void viewportMade(wend::Viewport& view);
 
   private:

@@ -50,7 +50,8 @@ void PaintMap::show(Measure wanted) {
     m_showMap.setChecked(true);
 }
 
-/// The measure may be another one already: a file of another dimension was opened.
+/// Restores the map, unless the user has chosen another one; ignores a measure that a newly opened file
+/// lacks.
 void PaintMap::end() {
     if (!m_before) return;
     const Before before = *std::exchange(m_before, std::nullopt);
@@ -105,7 +106,7 @@ void Workspace::show() {
     showMap();
 }
 
-/// The comb is the brush that changes directions.
+/// Sets the brush's target, which is the direction for the comb.
 void Workspace::takeTool() {
     BrushSettings brush = m_bench.brush->now();
     if (m_parts.tools.isChosen("comb")) brush.target = BrushTarget::Direction;

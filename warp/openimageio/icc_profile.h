@@ -15,8 +15,8 @@ bool profileFits(const OIIO::ParamValue& profile, int colours);
 /// prints a message and does not write the file.
 bool profileIsStrict(const OIIO::ParamValue& profile);
 
-/// Returns a profile of colours with the curve of a grey one, and the colorants of BT.709: so equal colours
-/// stay the grey that they were. Empty if the grey profile has no curve.
+/// Returns a profile of colours with the curve of a grey one and the colorants of BT.709, so that equal
+/// colours stay the same grey. Empty if the grey profile has no curve.
 std::vector<std::byte> colouredProfile(const OIIO::ParamValue& grey);
 
 }  // namespace wend

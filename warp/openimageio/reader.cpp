@@ -86,8 +86,8 @@ OIIO::TypeDesc typeDesc(PixelType type) {
     return OIIO::TypeDesc::FLOAT;
 }
 
-/// Returns the place of a sample after the colours of a TIFF of which nothing says what it is, and which is
-/// alpha, as many programs write it; −1 if there is none.
+/// Returns the index of the undeclared sample after the colours of a TIFF, which is alpha in the files of
+/// many programs; −1 if there is none.
 int undeclaredAlpha(const OIIO::ImageSpec& spec, bool namesExtraSamples) {
     const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
     const int colours = photometric == 0 || photometric == 1 ? 1 : photometric == 2 ? 3 : -1;
@@ -134,7 +134,7 @@ void setProfile(OIIO::ImageSpec& spec, const std::vector<std::byte>& profile) {
                    profile.data());
 }
 
-/// Returns the primaries that an EXR file names, whose light is linear.
+/// Returns the colours that an EXR file names, whose light is linear.
 std::optional<ColourSpace> chromaticitiesOf(const OIIO::ImageSpec& spec) {
     const OIIO::ParamValue* value = spec.find_attribute("chromaticities");
     if (!value || value->type().basetype != OIIO::TypeDesc::FLOAT ||
@@ -350,7 +350,7 @@ std::vector<OIIO::ImageSpec> specsIn(const PictureSource& source) {
     return specs;
 }
 
-/// Returns "NAME: 640 x 480" of each picture if there are several.
+/// Returns "NAME: 640 x 480" for each picture, if there are several.
 std::vector<std::string> namesOf(const std::vector<OIIO::ImageSpec>& specs) {
     std::vector<std::string> list;
     for (const OIIO::ImageSpec& spec : specs) {

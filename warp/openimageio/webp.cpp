@@ -39,8 +39,8 @@ WebPData asData(const Bytes& bytes) {
     return {bytes.data(), bytes.size()};
 }
 
-/// Returns the stream of the pixels, without loss also of colours under transparent ones; empty with the
-/// reason in `error`.
+/// Returns the stream of the pixels; without loss, colours under transparent ones are kept, too. Empty with
+/// the reason in `error`.
 Bytes encoded(const Image& image, bool lossy, std::string& error) {
     WebPConfig config;
     WebPPicture picture;
@@ -82,7 +82,7 @@ Bytes xmpOf(const OIIO::ImageSpec& spec) {
     return {xmp.begin(), xmp.end()};
 }
 
-/// Returns a chunk's bytes, which `mux` keeps; empty without one.
+/// Returns a chunk's bytes, which `mux` owns; empty without one.
 std::string_view chunk(const WebPMux* mux, const char* name) {
     WebPData data{};
     if (WebPMuxGetChunk(mux, name, &data) != WEBP_MUX_OK) return {};

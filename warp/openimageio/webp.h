@@ -14,7 +14,7 @@ namespace wend {
 /// Configures the encoder; false if the library's version differs.
 bool prepareWebp(WebPConfig& config, bool lossy);
 
-/// Imports the pixels of an image for the encoder; `picture` is initialized here, and freed by the caller.
+/// Imports the pixels of an image for the encoder; initializes `picture`, which the caller frees.
 bool importWebp(WebPPicture& picture, const Image& image);
 
 /// Returns a file of a picture or a film with the profile of `spec` and its metadata as EXIF and XMP.
@@ -29,7 +29,7 @@ std::string writeWebp(const std::string& path, const Image& image, const OIIO::I
 /// changes for animations and damaged files.
 bool readWebp(const std::string& path, Image& image);
 
-/// Returns the number of pictures of an animation, 1 for other files.
+/// Returns the number of pictures in an animation; 1 for other files.
 int webpFrames(const std::string& path);
 
 /// Adds the file's colour profile, EXIF and XMP to `spec`.

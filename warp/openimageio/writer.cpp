@@ -141,8 +141,8 @@ Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, c
     return {problem};
 }
 
-/// No format library reports a full disk in every case, and that of JPEG ends the process, so their output
-/// goes through a file object that checks.
+/// Writes through a file object that checks, because no format library reports a full disk in every case, and
+/// that of JPEG ends the process.
 Attempt tryWrite(const PictureToWrite& writing, OIIO::ImageSpec spec) {
     std::optional<CheckedProxy> proxy;  // outlives the output, whose destructor may write
     const std::unique_ptr<OIIO::ImageOutput> output(codecOf(writing.format).writer());
@@ -163,7 +163,7 @@ std::string properlyNamed(std::string text, const PictureToWrite& writing) {
     return text.substr(0, text.find('\n'));
 }
 
-/// A colour profile that the format's library refuses fails the whole file: better the picture without it.
+/// Writes without the colour profile if the format's library refuses it, because that fails the whole file.
 void writePicture(const PictureToWrite& writing, OIIO::ImageSpec spec) {
     Attempt attempt = tryWrite(writing, spec);
     if (!attempt.problem.isEmpty() && !attempt.disk && spec.find_attribute("ICCProfile")) {

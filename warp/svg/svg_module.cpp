@@ -97,7 +97,7 @@ std::vector<SvgLayer> layersIn(const pugi::xml_node& parent) {
     return layers;
 }
 
-/// Makes an element visible; a hidden layer has a switch of its own.
+/// Shows a hidden layer, because the program itself hides layers.
 void show(pugi::xml_node node) {
     if (std::string_view(node.attribute("display").value()) == "none") node.remove_attribute("display");
     std::string style = node.attribute("style").value();

@@ -33,7 +33,7 @@ bool repeatsVertex(const Cell<Dim>& cell) {
     return std::ranges::adjacent_find(ids) != ids.end();
 }
 
-/// Cells per facet, as sorted vertices.
+/// Returns the cells of each facet, by its sorted vertices.
 template <int Dim>
 std::map<Key<Dim>, std::vector<int>> cellsOfFacets(const std::vector<Cell<Dim>>& cells) {
     std::map<Key<Dim>, std::vector<int>> facets;
@@ -47,7 +47,7 @@ std::map<Key<Dim>, std::vector<int>> cellsOfFacets(const std::vector<Cell<Dim>>&
     return facets;
 }
 
-/// Parts that are connected through facets.
+/// Counts the parts that are connected through facets.
 template <int Dim>
 int countParts(const std::map<Key<Dim>, std::vector<int>>& facets, int cells) {
     DisjointSets sets(cells);
@@ -76,7 +76,7 @@ std::vector<int> unusedVertices(const SimplicialMesh<Dim>& mesh) {
     return unused;
 }
 
-/// Cells that are oriented against the greater number.
+/// Returns the cells that are oriented against the majority.
 template <int Dim>
 std::vector<int> invertedCells(const SimplicialMesh<Dim>& mesh) {
     std::vector<int> positive, negative;
@@ -87,7 +87,7 @@ std::vector<int> invertedCells(const SimplicialMesh<Dim>& mesh) {
     return positive.size() < negative.size() ? positive : negative;
 }
 
-/// Cells on the same side of the facet between them as a neighbour, however they are numbered.
+/// Returns the cells on the same side of the facet between them as a neighbour, however they are numbered.
 template <int Dim>
 std::vector<int> foldedCells(SimplicialMesh<Dim> mesh, const std::map<Key<Dim>, std::vector<int>>& facets) {
     for (const auto& [facet, around] : facets)

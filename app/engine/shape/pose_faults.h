@@ -40,8 +40,8 @@ struct PoseFaults {
 template <int Dim>
 PoseFaults<Dim> faultsOf(const Shape<Dim>& shape, const Points<Dim>& pose);
 
-/// "the surface passes through itself in 2 places (143 pairs of triangles), first near (x, y, z)"; empty if
-/// it does not.
+/// Returns for example "the surface passes through itself in 2 places (143 pairs of triangles), first near
+/// (x, y, z)"; empty if it does not.
 template <int Dim>
 std::string crossingText(const PoseFaults<Dim>& faults);
 /// Returns for example "3 cells have grown or shrunk more than 10 times, the worst to 0.05 of its size near

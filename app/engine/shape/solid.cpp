@@ -29,7 +29,7 @@ constexpr double kFarTooMany = 8;     // times the vertices that are aimed at
 constexpr double kMostToOffer = 1e6;  // vertices
 const char* const kGroup = "cage";
 
-/// Different places, of vertices that triangles have.
+/// Counts the different places of vertices that triangles have.
 int placeCount(const Skin& skin) {
     const std::vector<int> first = firstAtPlace<3>(skin.points);
     std::vector<bool> used(first.size(), false);

@@ -21,7 +21,7 @@ std::string headOf(const std::string& path) {
     return head;
 }
 
-/// Lower case, and all that is no letter a blank.
+/// Returns the line in lower case, with a blank for everything that is no letter.
 std::string wordsOf(const std::string& line) {
     std::string words = line;
     for (char& c : words) {

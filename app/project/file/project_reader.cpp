@@ -188,7 +188,6 @@ int dimensionOf(const Domain& domain, const std::string& folder, const Json& roo
 }
 
 // --- The rest ---
-// Reads an object of settings only.
 
 /// Reads an object of settings only.
 void readGroup(JsonObject& root, const std::string& group, Project& project) {

@@ -43,7 +43,7 @@ void change(FieldMotion<3>& motion, const Mirror& mirror) {
     for (auto& [vertex, displacement] : *values) displacement = mirror.along(displacement);
     motion = {"", "", std::move(values)};
 }
-/// The rotation S R S of a reflection S has the vector −S w.
+/// Mirrors the poses. With the reflection S, a rotation R becomes S R S, whose rotation vector is −S w.
 void change(PoseMotion<3>& motion, const Mirror& mirror) {
     motion.file.clear();
     for (RigidPose<3>& pose : motion.poses) {

@@ -217,7 +217,7 @@ void OutlineTool::release(const QMouseEvent& event) {
     view().redraw();
 }
 
-/// The press before it has set the last corner.
+/// Closes the polygon, whose last corner was set by the first click.
 void OutlineTool::doubleClick(const QMouseEvent& event) {
     if (m_shape == Shape::Polygon && m_active)
         finish(event.modifiers());
@@ -251,7 +251,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
     return true;
 }
 
-/// Scales the brush, or how many colours the wand takes.
+/// Scales the brush, or the tolerance of the wand.
 void OutlineTool::scale(double factor) {
     OutlineSettings next = m_pen.now();
     if (m_shape == Shape::Brush)

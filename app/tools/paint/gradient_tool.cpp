@@ -146,7 +146,7 @@ std::optional<GradientTool::Handle> GradientTool::handleAt(const QPointF& at) co
     return found;
 }
 
-/// Returns the design with the end where it was dragged to; nothing where both ends would be one place.
+/// Returns the design with the dragged end; nothing if both ends would coincide.
 std::optional<Design> GradientTool::moved() const {
     Design next = session().document().design();
     MaterialLayer* layer = layerOf(next.material.layers, m_handle->layer);

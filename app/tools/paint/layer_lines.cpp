@@ -82,7 +82,7 @@ struct Cover {
     }
 };
 
-/// Adds the ring's pieces that are a border of the whole.
+/// Adds the pieces of the ring that are on the border of the whole.
 void addRing(std::vector<Line>& lines, const Cover& cover, std::size_t own) {
     const auto* ball = std::get_if<Ball<3>>(&cover.layer[own].shape);
     const double radius = cover.radius(own);

@@ -156,7 +156,7 @@ MaterialRegion PaintTool::regionOf(const std::vector<Dab>& dabs, std::size_t i) 
     return region;
 }
 
-/// A ball's direction is known once the next one exists, so the last one is recomputed each time.
+/// Recomputes the last ball each time, because its direction is known only once the next one exists.
 Design PaintTool::painted(const std::vector<Dab>& dabs) {
     const auto& design = session().document().design();
     if (deed() == Deed::Erase) {

@@ -13,7 +13,7 @@ namespace wend {
 /// visible ones unless `through`.
 QPainterPath drawnPart(const PictureShapeView& view, const DrawnOutline& outline);
 std::vector<int> drawnPart(const SolidShapeView& view, const DrawnOutline& outline, bool through);
-/// Both lists are in increasing order.
+/// Joins two lists, both in increasing order.
 std::vector<int> joined(const std::vector<int>& a, const std::vector<int>& b);
 /// Take hold of it as a new handle; false, with a notice, if it is nothing.
 bool holdPart(PictureShapeView& view, const QPainterPath& part);

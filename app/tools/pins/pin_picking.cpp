@@ -24,7 +24,7 @@ bool isCovered(const ShapeView& view, const PinView& pin, std::size_t point) {
     return point < pin.places.size() && view.isHidden(pin.places[point], pin.points[point]);
 }
 
-/// The mark of an area is at no point of the shape.
+/// Returns whether the mark of a pin is hidden; that of an area is at no point of the shape.
 bool isMarkCovered(const ShapeView& view, const PinView& pin) {
     if (!pin.region && pin.points.size() == 1) return isCovered(view, pin, 0);
     return !pin.points.empty() &&

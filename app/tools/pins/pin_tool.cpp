@@ -79,7 +79,8 @@ void PinTool::select(int handle, bool extend) {
     if (!isSelected(handle)) session().selection().set({handle});
 }
 
-/// The end of a curve is below its pin, which takes precedence until that point is chosen.
+/// Returns the point of the curve there. The end of a curve is below its pin, which takes precedence until
+/// that point is chosen.
 int PinTool::curvePointAt(const QPointF& at) const {
     const int point = m_curve.pointAt(at);
     return point == m_curve.chosen() || pinAt(at) < 0 ? point : -1;
@@ -347,7 +348,7 @@ MenuPlace PinTool::menuAt(const QPointF& at) {
     return menuOfPin(session().selection(), handle >= 0 ? handle : wayUnder(view(), at));
 }
 
-/// Moves the selected pins, or, without any, the cross that Enter clicks at.
+/// Moves the selected pins or, without a selection, a cross that Enter clicks at.
 bool PinTool::nudge(const QKeyEvent& event) {
     if (session().selection().isEmpty())
         return m_cross.take(event, view(), [this](const QPointF& at) { clickAt(at, false); });

@@ -20,12 +20,12 @@ class CellFiller {
     CellFiller(const QSize& size, const PaintingPlan& plan, const Points2& points,
                const QTransform& toPixels);
 
-    /// The colour is not premultiplied.
+    /// Fills a cell with a colour that is not premultiplied.
     void fill(const Cell<2>& cell, QRgb colour);
     /// Fills with interpolated colours of the corners (premultiplied red, green, blue, alpha from 0 to 255).
     using Colour = Eigen::Array4d;
     void fill(const Cell<2>& cell, const std::array<Colour, 3>& colours);
-    /// Does the same in the colours of a ramp (premultiplied), in which the corners have places from 0 to 1.
+    /// Fills with the colours of a ramp (premultiplied), in which the corners have positions from 0 to 1.
     void fill(const Cell<2>& cell, const std::array<double, 3>& places, const std::vector<QRgb>& ramp);
 
     /// The extent of the layer: the whole shape, or only opaque places of the image that shows the picture.

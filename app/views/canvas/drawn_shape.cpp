@@ -74,8 +74,8 @@ void DrawnShape::prepare(const std::shared_ptr<const Image>& picture) {
     });
 }
 
-/// A mesh may bring its picture. The parts of a picture are drawn from their atlas, and from the document's
-/// picture without a mesh.
+/// Prepares the picture to draw: the atlas of a picture of parts, the picture that a mesh brings, or else the
+/// document's.
 void DrawnShape::takeFrame(const PosedFrame<2>& frame) {
     if (!frame.built) return;
     const auto& texture = frame.built->texture;

@@ -65,7 +65,7 @@ class RenderThread : public QObject {
 
     void post(RenderRequest request);
 
-    /// Returns the drawing itself, in the caller's thread; empty if stopped.
+    /// Draws in the caller's thread; returns a null image if stopped.
     static QImage render(const RenderRequest& request, std::stop_token stop = {});
 
   signals:

@@ -25,7 +25,7 @@ float encoded(float linear) {
     return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
-/// Returns the encoded light of every half, by its bits.
+/// Returns a table of the encoded light of every half, indexed by its bits.
 const std::vector<std::uint8_t>& encodedHalves() {
     static const std::vector<std::uint8_t> table = [] {
         std::vector<std::uint8_t> values(std::size_t{1} << 16U);
@@ -113,7 +113,7 @@ void toArgb(bool unassociated, QRgb* pixels, Count count) {
         for (int k = 0; k < count; ++k) pixels[k] = qPremultiply(pixels[k]);
 }
 
-/// Does the same in blocks of a number of pixels that the compiler knows.
+/// Does the same in blocks of a constant number of pixels, which the compiler can vectorize.
 void toArgb(bool unassociated, QRgb* begin, QRgb* end) {
     constexpr int kBlock = 16;
     for (; end - begin >= kBlock; begin += kBlock)

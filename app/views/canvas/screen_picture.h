@@ -18,7 +18,7 @@ class ScreenPicture {
   public:
     explicit ScreenPicture(const std::shared_ptr<const Image>& picture);
 
-    /// Returns the pixels of a warp; none if it was stopped.
+    /// Returns the pixels of a warp; a null image if it was stopped.
     QImage warped(const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                   const WarpOptions& options) const;
     const Image& image() const { return m_pyramid.base(); }

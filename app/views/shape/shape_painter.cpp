@@ -125,7 +125,7 @@ void ShapePainter::seenSpots(const PinView& pin) {
     m_marks.spots(seen, fill, r, selected ? QPen(QColor(255, 255, 255, 190), 0.75) : QPen(Qt::NoPen));
 }
 
-/// A part of a picture that is held as a whole: its outline veils nothing until it is pointed at.
+/// Draws the outline of a part of a picture that is held as a whole, filled only while the pointer is on it.
 void ShapePainter::area(const PinView& pin, bool hovered) {
     const FramePtr frame = m_view.session().motion().frame();
     if (!frame) return;

@@ -185,7 +185,7 @@ Tool* Viewport::toolAt(const QPointF& at) const {
     return m_over && !m_looks.hidden && m_over->wants(at) ? m_over : m_tool;
 }
 
-/// The event may have activated another tool.
+/// Shows the cursor and the hint of the tool, or of the one that the event has activated.
 void Viewport::useTool(Tool* tool) {
     if (tool != m_over && m_tool) tool = m_tool;
     updateCursor();
@@ -193,7 +193,8 @@ void Viewport::useTool(Tool* tool) {
     tellHint(*tool);
 }
 
-/// A navigation button navigates, unless it was pressed on an item of the tool.
+/// Returns whether the event is for the tool: a navigation button navigates, unless it was pressed on an item
+/// of the tool.
 bool Viewport::isForTool(const QMouseEvent& event, const Tool& tool) const {
     return event.button() == Qt::LeftButton && (!m_view.navigatesBy(event) || tool.wants(event.position()));
 }
@@ -203,7 +204,7 @@ bool Viewport::pansBy(const QMouseEvent& event, const Tool* tool) const {
     return event.button() == Qt::LeftButton && !m_active && (m_spaceDown || (tool && tool->pans()));
 }
 
-/// The tool has the pointer from now on.
+/// Passes the event to the tool, which grabs the pointer.
 void Viewport::give(Tool* tool, const QMouseEvent& event, void (Tool::*what)(const QMouseEvent&)) {
     m_active = tool;
     m_activeButton = event.button();
@@ -226,7 +227,7 @@ void Viewport::press(QMouseEvent& event) {
     updateCursor();
 }
 
-/// The second press of a double click, unless the tool has a meaning for the two.
+/// Treats the second press of a double click as another press, unless the tool handles double clicks.
 void Viewport::doubleClick(QMouseEvent& event) {
     Tool* tool = toolAt(event.position());
     if (!tool || m_active || pansBy(event, tool) || !isForTool(event, *tool)) return press(event);
@@ -247,7 +248,8 @@ void Viewport::move(QMouseEvent& event) {
     useTool(tool);
 }
 
-/// A menu takes the pointer: not in the middle of a gesture, nor after the view was moved.
+/// Ends the gesture. Opens a menu, which grabs the pointer, only without a gesture and if the view has not
+/// moved.
 void Viewport::release(QMouseEvent& event) {
     if (m_active) {
         if (event.button() != m_activeButton) return;

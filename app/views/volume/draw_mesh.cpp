@@ -52,8 +52,7 @@ class SmoothGroups {
         return p.dot(q) >= kCrease * p.norm() * q.norm();
     }
 
-    /// Groups the corners at one point, joined over the edges that two of them share, found by their other
-    /// ends.
+    /// Groups the corners at one point that share edges, which are found by their other ends.
     void group(const int* corners, int count) {
         m_edges.clear();
         m_root.resize(static_cast<std::size_t>(count));

@@ -40,8 +40,8 @@ struct CutPoints {
     Points3 at(const Points3& pose) const;
 };
 
-/// Returns the border of a part of a surface: the edges that an odd number of its triangles have, as their
-/// ends.
+/// Returns the border of a part of a surface: the edges of an odd number of its triangles, as pairs of
+/// vertices.
 std::vector<std::array<int, 2>> borderOf(const std::vector<std::array<int, 3>>& triangles);
 
 /// Returns the part on the cut, or the rest.
@@ -51,7 +51,7 @@ CutSurface partOf(const CutSurface& surface, bool onCut);
 DrawMesh drawMesh(const CutSurface& surface, const Points3& rest);
 /// Makes the section of an exact cut, a plane with a single normal regardless of slivers.
 DrawMesh drawSection(const CutSurface& section);
-/// Returns a surface embedded in a solid, with its texture points and materials.
+/// Returns the mesh of a surface embedded in a solid, with its texture points and materials.
 DrawMesh drawMesh(const Skin& skin, const Embedding<3>& embedding);
 
 /// Returns whether a skin has materials, or colours of vertices.

@@ -183,7 +183,7 @@ bool DrawnSolid::setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVe
     return true;
 }
 
-/// A surface without tetrahedra has no inside that a cut could show.
+/// Remakes the surface, without a cut if there are no tetrahedra, since the inside would be empty.
 void DrawnSolid::remakeSurface() {
     if (!m_picture.rest) return;
     switch (m_picture.rest->cells.empty() ? CutKind::None : m_cut) {
@@ -232,7 +232,8 @@ std::optional<CutPlane> DrawnSolid::clip() const {
     return showsSkin() && m_cut == CutKind::Exact ? std::optional(m_plane) : std::nullopt;
 }
 
-/// A surface embedded in the solid hides it, unless a section is filled with its cells.
+/// Returns all points that are drawn. A surface embedded in the solid hides it, unless a section is filled
+/// with its cells.
 Points3 DrawnSolid::points() const {
     const Points3 none(3, 0);
     const Points3& skin = showsSkin() ? skinPose() : none;
@@ -284,7 +285,7 @@ QStringList DrawnSolid::uploadTextures() {
     return unread;
 }
 
-/// The section of a cut detailed surface is that of the solid.
+/// Uploads the surface and the section; the section of a cut detailed surface is that of the solid.
 void DrawnSolid::uploadMeshes() {
     const Points3& rest = m_picture.rest->points.cols() > 0 ? m_picture.rest->points : m_picture.pose;
     const bool exact = m_cut == CutKind::Exact;

@@ -18,7 +18,7 @@ std::vector<DrawVertex> velocityArrows(const PosedFrame<3>& frame, const Points3
 std::vector<DrawVertex> stiffnessEllipsoids(const PosedFrame<3>& frame, const CutSurface& surface,
                                             QRgb colour);
 
-/// Returns the triangles that cross and the faces of the cells that have blown up, a little outside, but for
+/// Returns the triangles that cross and the faces of the cells that have blown up, a little outside, without
 /// those with a corner that is `hidden`.
 std::vector<DrawVertex> faultMarks(const PosedFrame<3>& frame, const PoseFaults<3>& faults,
                                    const std::function<bool(const Vec3&)>& hidden);

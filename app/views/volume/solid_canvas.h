@@ -31,7 +31,7 @@ class SolidViewpoint {
     void zoomTo(const Points3& points);
 
     bool isFitted() const { return m_isFitted; }
-    /// The view follows its size no more.
+    /// Sets whether the view fits the shape when its size changes.
     void setFitted(bool fitted) { m_isFitted = fitted; }
 
   private:
@@ -91,8 +91,7 @@ class SolidCanvas : public VolumeView, public SolidShapeView, public Viewport::V
 
     /// Shows the surface of a file while its tetrahedra are being made.
     void showPreview(const Skin& skin);
-    /// Shows a surface that bounds no solid: seen along the direction at first in a document, then as the
-    /// view is.
+    /// Shows a surface that bounds no solid: at first along the direction, later as the view is.
     void showRefused(VolumePicture picture, const Vec3& direction);
     /// Zooms to a tetrahedron and marks it while the view stays there.
     void showCell(int cell);

@@ -40,8 +40,8 @@ QByteArray sourceOf(const char* name, bool edges) {
     return source;
 }
 
-/// Returns an offset into the bound buffer, in bytes: OpenGL takes it in a pointer's place and nothing
-/// follows it, so that the cast costs nothing.
+/// Returns an offset into the bound buffer as the pointer that OpenGL asks for; it is never dereferenced, so
+/// the cast is harmless.
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): no address
 }

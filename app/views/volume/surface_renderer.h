@@ -85,7 +85,7 @@ class SurfaceRenderer {
     /// triangle.
     using Place = std::array<float, 4>;
     void setPlaces(Layer layer, const std::vector<Place>& places);
-    /// Sets the colours of the places from 0 to 1; none: there is no ramp.
+    /// Sets the colours of the positions from 0 to 1; empty if there is no ramp.
     void setRamp(const std::vector<QRgb>& colours);
     /// Sets lines around the section, by both ends of each.
     void setOutline(const Points3& ends) { m_outline.set(placesOf(ends)); }

@@ -270,7 +270,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
 
 // --- The view of a solid as a picture of any size ---
 
-/// Returns a part of the picture: the projection blown up so that the part fills the tile.
+/// Draws a part of the picture, with the projection scaled so that the part fills the tile.
 QImage VolumeView::tile(const QRect& part, const QSize& whole, const QColor& background) {
     std::unique_ptr<QOpenGLFramebufferObject> buffer;
     if (!bindBuffer(buffer, part.size(), kSamples)) return {};

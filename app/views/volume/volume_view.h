@@ -36,8 +36,8 @@ class VolumeView : public QOpenGLWidget {
     Navigation& navigation() { return m_navigation; }
     const Navigation& navigation() const { return m_navigation; }
     void setGlyphs(std::vector<DrawVertex> triangles, std::vector<DrawVertex> veiled = {});
-    /// Returns the view as a picture of any size, drawn in tiles where it is larger than the renderer can;
-    /// the background may be left transparent. Null if the memory does not suffice.
+    /// Returns the view as a picture of any size, drawn in tiles if it is larger than the renderer allows;
+    /// the background may be left transparent. Returns a null image if the memory does not suffice.
     QImage picture(const QSize& size, bool transparent) {
         return pictureRows(size, 0, size.height(), transparent);
     }
@@ -98,7 +98,7 @@ class VolumeView : public QOpenGLWidget {
         bool coarse = false, materials = false;
 
         bool operator==(const Scene&) const = default;
-        /// Returns whether the painted scene serves: a fine drawing does as a coarse one.
+        /// Returns whether the painted scene will do: a fine drawing serves as a coarse one.
         bool isServedBy(const Scene& painted) const {
             Scene wanted = *this;
             wanted.coarse = coarse && painted.coarse;

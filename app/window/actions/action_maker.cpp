@@ -8,7 +8,8 @@ namespace wend {
 
 namespace {
 
-/// The keys in the settings are those of the maker's class and the action, as in "Actions/open".
+/// Returns the preference for the action's keys, named by the class of its maker and the action, as in
+/// "Actions/open".
 Preference<QStringList> chosenKeys(const QAction& action) {
     QString maker = QString::fromLatin1(action.parent()->metaObject()->className());
     maker.remove(QStringLiteral("wend::"));
@@ -47,7 +48,7 @@ QActionGroup* ActionMaker::oneOf(const QList<QAction*>& actions) {
     return group;
 }
 
-/// The reason for a disabled action is the first line of its tooltip.
+/// Sets the tooltip; the reason for a disabled action is its first line.
 void ActionMaker::describe(QAction* action) {
     if (!action->property("help").isValid()) return;  // of Qt, which rewords it
     const QString help = helpOf(*action), extra = action->property("whyNot").toString();

@@ -35,7 +35,7 @@ class ActionMaker : public QObject {
   public:
     using QObject::QObject;
     void setIcons(const QPalette& palette);
-    /// Returns the actions that were made here, in that order.
+    /// Returns the actions that were made here, in order of creation.
     QList<QAction*> own() const { return m_own; }
     /// Returns the help of an action; empty for actions not made here.
     static QString helpOf(const QAction& action) { return action.property("help").toString(); }

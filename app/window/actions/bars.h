@@ -103,7 +103,7 @@ struct ToolOptions {
     const PinActions& pins;
     const BrushActions& brush;
 
-    /// A null action separates.
+    /// Returns the options of a tool; null actions are separators.
     QList<QAction*> of(const ToolKind& kind) const;
 
   private:

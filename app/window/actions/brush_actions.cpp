@@ -91,7 +91,7 @@ void BrushActions::showBrush() {
     pressure->setChecked(brush.pressure);
 }
 
-/// The first stop has another name for solids.
+/// Updates the names, because the first stop has another one for solids.
 void BrushActions::refresh() {
     const bool paints = m_tools.dimension() > 0 && m_tools.mode() == Mode::Paint;
     const EnergyScale scale(m_tools.dimension() == 3 ? 3 : 2);

@@ -14,7 +14,7 @@ namespace wend {
 
 namespace {
 
-/// Returns the least or the largest order that there is, 0 among them.
+/// Returns the minimum or maximum of the orders and 0.
 double extreme(const ValueLayers& depth, bool maximum) {
     double order = 0;
     for (const ValueLayer& layer : depth)

@@ -33,7 +33,7 @@ class PinActions : public ActionMaker {
 
     QMenu* menu() const { return m_menu.get(); }
     PinChoice& choice() { return m_choice; }
-    /// Returns the name of the selected pin, or how many they are.
+    /// Returns the name of the selected pin, or the number of selected pins.
     QString selectedName() const;
     /// Adds these commands to a pin's context menu.
     void fill(QMenu& menu) const;

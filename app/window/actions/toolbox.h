@@ -30,7 +30,8 @@ class Toolbox : public ActionMaker {
     QList<QAction*> toolsOf(Mode mode) const;
     /// Tools under the step that they are first of, for a menu.
     QList<QAction*> toolsFirstIn(Mode mode) const;
-    /// A key belongs to the current step's tools first, then to these, then to the tools of other steps.
+    /// Shares keys with other actions: a key belongs to the current step's tools first, then to these, then
+    /// to the tools of other steps.
     void shareKeysWith(const QList<ActionMaker*>& others);
     /// Assigns the keys anew, after an action got others.
     void shareKeys();

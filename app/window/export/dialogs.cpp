@@ -25,7 +25,7 @@ QDialogButtonBox* dialogButtons(QDialogButtonBox::StandardButtons which, QDialog
     return buttons;
 }
 
-/// The box styles its buttons at once, so the style must be refreshed after the property is set.
+/// Refreshes the button's style after its property is set, because the box styles its buttons at once.
 QPushButton* addExportButton(QDialogButtonBox& box) {
     const QString text = QCoreApplication::translate("wend::ExportDialog", "E&xport…");
     QPushButton* button = box.addButton(text, QDialogButtonBox::AcceptRole);

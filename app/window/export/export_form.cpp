@@ -109,7 +109,7 @@ bool ExportForm::isReady() const {
     return shape() && m_problem->text().isEmpty();
 }
 
-/// A newly drawn crop becomes the choice; a removed one is no longer offered.
+/// Selects a newly drawn crop, and no longer offers one that is removed.
 void ExportForm::showPart() {
     if (m_subject.part == m_part) return;
     m_part = m_subject.part;
@@ -184,8 +184,8 @@ OptionValues ExportForm::values() const {
     return values;
 }
 
-/// The film lasts as long as the motion: number and rate of its frames follow each other. So do the width and
-/// the scale of pictures.
+/// Keeps the number of a film's frames and their rate consistent with its length, and the width of pictures
+/// with their scale.
 void ExportForm::tie(const OptionField& changed) {
     if (!shape()) return;
     if (&changed == field("--width")) tieWidth();
@@ -241,7 +241,8 @@ void ExportForm::showFields() {
     for (OptionField* field : m_fields) m_form->setRowVisible(field, shape() && shows(field->flag()));
 }
 
-/// The number of a film's frames follows from its length and rate.
+/// Returns whether the option is shown; the number of a film's frames is not, because it follows from length
+/// and rate.
 bool ExportForm::shows(const std::string& flag) const {
     if (flag == "--count") return kind() == ExportKind::Frames;
     return takes(flag == "--width" ? "--scale" : flag);
@@ -275,8 +276,7 @@ bool ExportForm::holdsTransparency() const {
     return kind() == ExportKind::Film ? filmFormatOf(file)->alpha : holdsAlpha(file);
 }
 
-/// Where a format has no transparency, the white that such pictures are placed on is what is shown and
-/// chosen.
+/// Selects white in the place of transparency if the format has none, and restores the choice later.
 void ExportForm::showBackgrounds() {
     OptionField* background = field("--outside");
     const bool holds = holdsTransparency();
@@ -412,7 +412,7 @@ void ExportForm::makeCropNote(Fields place) {
     m_crop->hide();
 }
 
-/// A check box shows its own label.
+/// Adds a row without a label for a check box, which shows its own.
 void ExportForm::addRow(OptionField& field, bool hasKey) {
     if (field.option().kind == OptionKind::Flag) {
         field.sayLabel(hasKey);

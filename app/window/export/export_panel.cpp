@@ -129,7 +129,7 @@ void ExportPanel::showEvent(QShowEvent* event) {
     showShape();
 }
 
-/// Shows the kind that was chosen last, or the first that there is.
+/// Updates the kinds, and selects the last one chosen or, if it is not available, the first that is.
 void ExportPanel::showShape() {
     const bool solid = m_motion.document().dimension() == 3;
     QAbstractButton *first = nullptr, *chosen = m_kinds->checkedButton();

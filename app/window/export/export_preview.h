@@ -19,7 +19,7 @@ class ExportPreview : public QWidget {
                            const QSize& wanted = {400, 320});
     void setImage(const QImage& image);
     const QImage& image() const { return m_image; }
-    /// The image answers another question than the one that is asked now; the next image answers it.
+    /// Marks the image as outdated until the next one arrives, because the request has changed.
     void setOutdated() { m_current = false; }
     bool isCurrent() const { return m_current; }
     /// Returns the available size in device pixels.

@@ -377,7 +377,7 @@ void MaterialActions::askCells() {
     if (!path.isEmpty()) takeCells(path);
 }
 
-/// The values include those of the layers, which would apply twice.
+/// Hides all layers, because the values already include them and they would apply twice.
 void MaterialActions::takeCells(const QString& path) {
     m_document.changeDesign(tr("Import %1").arg(QFileInfo(path).fileName()),
                             withCellsFile(withAllHidden(m_document.design()), path.toStdString()));

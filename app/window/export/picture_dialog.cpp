@@ -150,7 +150,7 @@ void PictureDialog::lay() {
     all->addWidget(m_buttons);
 }
 
-/// The other one follows.
+/// Adjusts the other side if the proportions are kept.
 void PictureDialog::tie(QSpinBox* changed) {
     const bool width = changed == m_width;
     const double of = width ? m_proportions.width() : m_proportions.height();

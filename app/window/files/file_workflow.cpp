@@ -335,7 +335,7 @@ bool FileWorkflow::mayOverwrite() {
     return box.clickedButton() == keep;
 }
 
-/// A project does not take the place of the picture or mesh that it bends.
+/// Returns false, with a notice, if the project would overwrite the picture or mesh that it bends.
 bool FileWorkflow::mayTakePlace(const QString& path) {
     const auto own = ownFileAt(m_document, path);
     if (!own || *own == OwnFile::Project) return true;
@@ -461,7 +461,8 @@ void FileWorkflow::fillRecent() {
     m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
 
-/// The file is opened in the same turn of the event loop, so the note stays visible in between.
+/// Queues the refresh, because a file is opened in the same turn of the event loop as it is read; so the note
+/// stays visible in between.
 OpeningNote::OpeningNote(FileWorkflow& files, ShapeCanvas& canvas, QWidget& over)
     : QLabel(&over), m_canvas(canvas) {
     setObjectName(QStringLiteral("busyNote"));

@@ -105,7 +105,7 @@ class OpeningNote : public QLabel {
 
   private:
     void refresh();
-    /// An empty text takes it away.
+    /// Shows the text, or hides the note if it is empty.
     void showText(const QString& text);
     void place();
 

@@ -129,7 +129,7 @@ QLabel* sectionTitle(const QString& text, QWidget* parent) {
     return label;
 }
 
-/// Makes a place for a title and a shelf, empty and hidden at first.
+/// Makes a box for a title and a shelf, empty and hidden at first.
 QWidget* makeBox(QVBoxLayout*& column, QWidget* parent) {
     auto* box = new QWidget(parent);
     column = bareColumn(box, 10);

@@ -31,7 +31,7 @@ class DetailChooser : public QObject {
     void remove();
 
   signals:
-    /// The project has it from now on.
+    /// Emitted when the project has taken over the file.
     void chosen();
 
   private:

@@ -14,7 +14,7 @@ struct Thumbnail {
 /// Returns the folder of thumbnails in the user's cache.
 QString thumbnailFolder();
 
-/// Returns the thumbnail of a picture or a project, made when it is asked for first and kept in `folder`,
+/// Returns the thumbnail of a picture or a project. It is made on the first request and kept in `folder`,
 /// which only its owner may read, until the file or the picture in it changes. Runs in any thread.
 Thumbnail thumbnailOf(const QString& path, const QString& folder = thumbnailFolder());
 /// Stores the last view of a project's shape as its thumbnail until the file changes.

@@ -23,7 +23,7 @@ constexpr double kMostDrift = 0.25;  // seconds between sound and picture
 constexpr double kPiece = 0.12;      // seconds of sound while scrubbing
 constexpr int kPieceLimit = 2000;    // milliseconds after which a player that hangs is ended
 
-/// Returns the file as ffmpeg's protocol for files, which nothing in a name can be mistaken for.
+/// Returns the file with ffmpeg's prefix for files, so that no name is taken for a URL or an option.
 QString fileWord(const QString& path) {
     return QStringLiteral("file:") + path;
 }
@@ -32,7 +32,7 @@ QString programNamed(const char* name) {
     return QString::fromStdString(programInPath(name));
 }
 
-/// Ends a process, which is gone when this returns.
+/// Kills the process and waits until it has ended.
 void endProcess(QProcess& process) {
     if (process.state() == QProcess::NotRunning) return;
     const QSignalBlocker quiet(&process);

@@ -28,7 +28,7 @@ class TimeScale : public QObject {
   public:
     explicit TimeScale(Document& document, Playback& playback, QObject* parent = nullptr);
 
-    /// Returns the pixels of the whole film.
+    /// Returns the rectangle of the whole film, in pixels.
     const QRect& way() const { return m_way; }
     void setWay(const QRect& way);
     double end() const;

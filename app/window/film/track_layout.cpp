@@ -52,8 +52,8 @@ int TrackLayout::rowAt(const QPointF& at) const {
     return row < static_cast<int>(rows.size()) ? row : -1;
 }
 
-/// A short bar is moved in its middle; its ends reach a little beyond it. Of the ends of a hold it is the one
-/// that can move further.
+/// Returns the item at a place. The middle of a short bar moves it, and its ends reach a little beyond it. If
+/// both ends of a hold are there, the one that can move further is returned.
 std::optional<TrackLayout::Hit> TrackLayout::hitAt(const QPointF& at,
                                                    const std::vector<KeyId>& others) const {
     const int row = rowAt(at);
@@ -98,7 +98,7 @@ void TrackLayout::dragTo(double x, const Design& design, const std::vector<doubl
     }
 }
 
-/// The hold covers the handle's motions.
+/// Returns the dragged hold, which always covers the handle's motions.
 MotionTime TrackLayout::draggedHold(double by, const std::vector<double>& marks) const {
     const auto& [start, end] = drag->from;
     const auto& bars = rows[drag->hit.bar.handle].bars;

@@ -147,7 +147,7 @@ void TrackView::bringIntoView(int row) {
     verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(way)));
 }
 
-/// A pin that is chosen alone is brought into view.
+/// Brings a pin that is the only selected one into view.
 void TrackView::showSelection() {
     if (const int row = m_session.selection().single(); row >= 0) bringIntoView(row);
     viewport()->update();
@@ -178,7 +178,7 @@ void TrackView::hideEvent(QHideEvent*) {
 
 // --- Mouse ---
 
-/// An end of one of several chosen bars is no key: it scales them.
+/// Returns the item at a place. If several bars are chosen, their ends scale them and are no keys.
 std::optional<TrackLayout::Hit> TrackView::hitAt(const QPointF& at) const {
     const auto bars = m_choice->bars();
     return m_layout.hitAt(at, bars.size() > 1 ? m_choice->endsOf(bars) : std::vector<KeyId>());

@@ -106,7 +106,7 @@ Group pointer(int dimension) {
     return group;
 }
 
-/// Returns the keys of the tracks, which belong to no menu of the window.
+/// Returns the keys of the tracks, which are in no menu of the window.
 Group tracks() {
     const auto say = [](const char* text) { return QCoreApplication::translate("CheatSheet", text); };
     Group group{say(QT_TRANSLATE_NOOP("CheatSheet", "Tracks")), {}};

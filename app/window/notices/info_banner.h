@@ -44,7 +44,7 @@ class InfoBanner : public QWidget {
     };
 
     explicit InfoBanner(QWidget* parent = nullptr);
-    /// An empty text takes the line of that topic back.
+    /// Shows the line of a topic, or removes it if the text is empty.
     void tell(Topic topic, const QString& text, const QList<Remedy>& remedies = {});
     void clear(Topic topic) { tell(topic, {}); }
     void clear();

@@ -109,7 +109,7 @@ ShapeInputs WorkNote::inputs() const {
             m_document.folder().toStdString()};
 }
 
-/// A shape is on its way after every change. Its mesh is made only if none of before serves.
+/// Returns whether a new mesh is being made. A shape is computed after every change, but may reuse its mesh.
 bool WorkNote::makesMesh() const {
     return m_motion.isMeshing() && !(m_meshed.project && sameMesh(m_meshed, inputs()));
 }
@@ -294,7 +294,7 @@ void StatusFields::setHint(const QString& hint) {
     m_hint->setHint(hint);
 }
 
-/// Each change of the text lays the window out anew: during a drag it waits for a calm moment.
+/// Waits until the end of a drag, because each change of the text lays out the window anew.
 void StatusFields::setPointer(const QString& text) {
     m_pointed = text;
     if (!m_motion.isDragging()) showPointer();

@@ -52,7 +52,8 @@ QString remedyText(const char* text) {
     return QCoreApplication::translate("wend::ProblemRemedies", text);
 }
 
-/// The solver's memory grows with the number of vertices only, unlike that of a factor.
+/// Offers multigrid, whose memory only grows with the number of vertices, unlike that of a factor, and fewer
+/// vertices.
 void addLessMemory(Document& document, QList<InfoBanner::Remedy>& remedies) {
     constexpr auto kMultigrid = static_cast<double>(SolverKind::Multigrid);
     if (settingOf(document, "integration.solver") != kMultigrid)
@@ -273,7 +274,7 @@ InfoBanner::Remedy Offers::sizeButton() {
     return {tr("Another Size…"), [this] { m_size.trigger(); }};
 }
 
-/// One of several layers has the button beside the line about its parts.
+/// Returns the offer for a drawing. If it has several layers, the line about its parts has the button.
 Offers::Offer Offers::drawing() {
     const auto matters = [this] {
         return m_isDrawing && !m_document.isEmpty() && m_document.picture() &&
@@ -409,7 +410,7 @@ bool SpringOffer::isDue() const {
     return std::ranges::any_of(m_document.design().handles, comesBack);
 }
 
-/// The offer is made once for a document.
+/// Shows or removes the offer, which is made once for a document.
 void SpringOffer::follow() {
     const bool isDue = this->isDue();
     if (isDue == m_isOffered || (isDue && m_isDeclined)) return;

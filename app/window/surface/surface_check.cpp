@@ -81,8 +81,7 @@ void writeList(QTextStream& out, const char* title, const List& list, const Text
     for (const auto& entry : list) out << text(entry) << '\n';
 }
 
-/// Returns the numbers of all that is wrong with a surface, as the text of a file; `numbers` are those of its
-/// triangles.
+/// Lists all faults of a surface as the text of a file; `numbers` are those of its triangles.
 QByteArray listOf(const SurfaceProblems& problems, const std::vector<int>& numbers) {
     QByteArray text;
     QTextStream out(&text);
@@ -106,7 +105,7 @@ QByteArray listOf(const SurfaceProblems& problems, const std::vector<int>& numbe
 
 const QRgb kFine = qRgb(199, 186, 164), kChosen = qRgb(255, 170, 0), kAdded = qRgb(46, 158, 92);
 
-/// Returns the triangles that are not as they should be.
+/// Returns the triangles that have a fault or are chosen.
 std::vector<int> markedIn(const VolumePicture& picture) {
     std::vector<int> marked;
     for (int t = 0; t < static_cast<int>(picture.cellColours.size()); ++t)
@@ -204,7 +203,8 @@ void SurfaceCheck::look() {
     m_checking.ask(check, [this](const Answer<FoundPtr>& found) { take(found.value); });
 }
 
-/// A cage that was chosen since something is wrong is no reason not to look at it.
+/// Takes over the new shape, and looks at the surface again if the cage was an automatic choice, which points
+/// to faults.
 void SurfaceCheck::takeShape() {
     const auto frame = m_motion.frame<3>();
     if (!frame) return;
@@ -263,7 +263,7 @@ void SurfaceCheck::take(const std::shared_ptr<const Found>& found) {
         showSurface();
 }
 
-/// Returns the next one of the kind that was fixed last, or else the first of all.
+/// Returns the next fault of the kind that was fixed last, or else the first of all.
 SurfaceCheck::Place SurfaceCheck::placeToBeginWith() const {
     const auto kind = std::ranges::find(m_found->faults, m_fixedKind, &FaultKind::name);
     if (kind == m_found->faults.end()) return {};
@@ -271,7 +271,7 @@ SurfaceCheck::Place SurfaceCheck::placeToBeginWith() const {
     return {static_cast<int>(kind - m_found->faults.begin()), std::min(m_place.number, last)};
 }
 
-/// Returns the triangles that are kept, in colours: wrong ones, and among them the chosen ones.
+/// Returns the triangles that are kept, with colours for faults and for chosen ones.
 VolumePicture SurfaceCheck::picture(const std::vector<bool>& kept, const std::vector<int>& chosen,
                                     const FaultFix* fix) const {
     const Surface& surface = m_found->surface;
