@@ -50,8 +50,8 @@ const OpenClDevices& openClDevices();
 /// none works or matches; `why` then says why.
 std::optional<OpenClDeviceInfo> chooseOpenClDevice(const std::string& wanted, std::string& why);
 
-/// Settings that drivers read at their first call; to be called before any other OpenCL call, by the program
-/// and by the probe.
+/// Makes the settings that drivers read at their first call. The program and the probe call it before any
+/// other OpenCL call.
 void prepareOpenClEnvironment();
 
 }  // namespace wend

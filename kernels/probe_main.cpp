@@ -105,7 +105,7 @@ void probeAll() {
 
 }  // namespace
 
-/// Seconds of the processor's time: a driver may loop.
+/// Limits the processor's time, since a driver may loop.
 void limitTime(const char* seconds) {
     const rlim_t soft = static_cast<rlim_t>(std::max(1, std::atoi(seconds)));
     const rlimit limit{soft, soft + 1};

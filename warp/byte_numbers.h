@@ -5,7 +5,8 @@
 
 namespace wend {
 
-/// Numbers of a file's header, of up to four bytes that are there: most significant byte first, or last.
+/// Returns a number of a file's header, of up to four bytes that are there: most significant byte first, or
+/// last.
 inline std::uint32_t bigEndian(std::string_view bytes, std::size_t at = 0, std::size_t size = 4) {
     std::uint32_t value = 0;
     for (const unsigned char byte : bytes.substr(at, size)) value = value << 8 | byte;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kExif("Exif\0\0", 6);
 
-/// Records of five bytes (a mark, two numbers, the length of the data), followed by data.
+/// Returns whether all is records: five bytes (a mark, two numbers, the length of the data), then the data.
 bool iptcFits(std::string_view data) {
     while (!data.empty() && data[0] == '\x1c') {
         if (data.size() < 5) return false;

@@ -82,7 +82,7 @@ class QuickSpan {
     }
 
   private:
-    /// Numbers with 32 bits behind the point.
+    /// Returns a fixed-point number with 32 bits behind the point.
     HWY_ATTR HWY_INLINE static std::int64_t fixed(double number) {
         return static_cast<std::int64_t>(number * 4294967296.0);
     }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// TetGen's files come in pairs, maybe with two more: the extensions of the others, which are written along.
+/// Returns the extensions of the files that are written along: TetGen's come in pairs, maybe with two more.
 std::vector<std::string> partnersOf(const std::string& path) {
     const std::string extension = lowerExtension(path);
     if (extension == ".node") return {".ele", ".face", ".edge"};

@@ -42,7 +42,7 @@ std::string replaced(const Place& place, const std::vector<OwnInput>& inputs) {
     return {};
 }
 
-/// Frames that are there already, maybe as links, and those that other outputs will be.
+/// Names a clash of frames that are there already, maybe as links, or that other outputs will be.
 std::string clashOfFrames(const std::vector<OwnInput>& inputs, const std::vector<Place>& places,
                           const std::string& frames, int count) {
     for (const Place& place : places) {

@@ -25,16 +25,16 @@ struct PictureFrame {
     bool up = false;  // the first row has the largest y
     int width = 0, height = 0;
 };
-/// `width` and `height`: of the picture that is the domain; 0: of a mesh.
+/// Returns the frame of the picture of `width` × `height` pixels that is the domain; 0: that of a mesh.
 PictureFrame pictureFrame(int width, int height, const SimplicialMesh<2>& rest);
 /// Does the same without a scene; reads the picture's header or the mesh. Throws InputError.
 PictureFrame pictureFrame(const Domain& domain, const std::string& folder);
 
-/// Gray and alpha in 16 bits; transparent where the shape is not.
+/// Returns gray and alpha in 16 bits, transparent beside the shape.
 Image materialPicture(MaterialPart part, const PictureFrame& frame, const SimplicialMesh<2>& rest,
                       const Material<2>& material);
 
-/// Such pictures upon a material: every cell takes the mean of the pixels in it. Throws InputError.
+/// Applies such pictures to a material: every cell takes the mean of the pixels in it. Throws InputError.
 void layPictures(const MaterialRegion& region, const SimplicialMesh<2>& rest, const std::string& folder,
                  Material<2>& material);
 

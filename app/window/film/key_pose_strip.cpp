@@ -74,7 +74,8 @@ std::vector<double> KeyPoseStrip::times() const {
     return times;
 }
 
-/// From left to right, within the strip: a picture that would cover the one before it is left out.
+/// Places the pictures from left to right within the strip: one that would cover the one before it is left
+/// out.
 std::vector<KeyPoseStrip::Placed> KeyPoseStrip::placed() const {
     std::vector<Placed> result;
     for (const Pose& pose : m_poses) {

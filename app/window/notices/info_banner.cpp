@@ -94,7 +94,7 @@ void InfoBanner::showNewest() {
     setVisible(!m_lines.isEmpty());
 }
 
-/// Drawn, since not every font has letters like them.
+/// Draws the signs, since not every font has letters like them.
 void InfoBanner::showSigns() {
     const Theme theme = Theme::of(palette());
     const bool offers = property("offers").toBool();

@@ -184,7 +184,7 @@ void WorkNote::place() {
     move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - kBelow);
 }
 
-/// Not during a gesture or in a menu or dialog, where Escape has its own meaning.
+/// Returns false during a gesture and in a menu or dialog, where Escape has its own meaning.
 bool WorkNote::isCancelKey(QObject* watched, QEvent* event) const {
     if (event->type() != QEvent::KeyPress || isHidden() || !watched->isWidgetType()) return false;
     return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
