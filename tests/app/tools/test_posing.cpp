@@ -362,7 +362,6 @@ void TestPosing::ringRotatesAndScales() {
     QCOMPARE(project().end, 1.0);
     press(ringSpot(1, 31, -31), ringSpot(1, 40, -18));
     moveWithShift(ringSpot(1, 42, -10));
-    QTest::qWait(300);
     picture(QStringLiteral("ring"));
     QVERIFY(session().gestures().drag());
     const double steps = session().gestures().drag()->amount()[0] / (std::numbers::pi / 12);
