@@ -18,6 +18,11 @@ void HandOver::call(std::function<void()> call) {
     QCoreApplication::postEvent(this, new QEvent(kCall));
 }
 
+bool HandOver::isEmpty() const {
+    const std::lock_guard lock(m_mutex);
+    return m_calls.empty();
+}
+
 bool HandOver::event(QEvent* event) {
     if (event->type() != kCall) return QObject::event(event);
     std::function<void()> call;

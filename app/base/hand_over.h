@@ -15,11 +15,13 @@ class HandOver : public QObject {
     using QObject::QObject;
 
     void call(std::function<void()> call);
+    /// Returns whether no call is waiting.
+    bool isEmpty() const;
 
     bool event(QEvent* event) override;
 
   private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::deque<std::function<void()>> m_calls;
 };
 

@@ -35,6 +35,8 @@ class PoseWatch : public QObject {
         else
             return m_solid;
     }
+    /// Returns whether a check is due or running.
+    bool isBusy() const { return m_due.isActive() || m_work.isRunning(); }
 
   signals:
     void changed();

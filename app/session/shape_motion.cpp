@@ -26,7 +26,7 @@ ShapeMotion::ShapeMotion(Document& document, const Selection& selection, Playbac
     : m_document(document),
       m_selection(selection),
       m_playback(playback),
-      m_compute(std::make_unique<ComputeThread>()) {
+      m_compute(std::make_unique<ComputeThread>(this)) {
     connect(&m_playback, &Playback::timeChanged, this, &ShapeMotion::takeTime);
     connect(&m_playback, &Playback::playingChanged, this, &ShapeMotion::askField);
     connect(m_compute.get(), &ComputeThread::shapeReady, this, &ShapeMotion::takeShape);

@@ -19,16 +19,6 @@
 
 namespace wend::test {
 
-/// Waits until what has been told has its room: layouts that follow from one another.
-inline void settleLayout(const QWidget& widget) {
-    QRect before;
-    do {
-        before = widget.geometry();
-        QCoreApplication::sendPostedEvents();
-        QCoreApplication::processEvents();
-    } while (widget.geometry() != before);
-}
-
 /// The window with a bar along x from −2 to 2, one thick, seen from the front: x runs to the right and z up.
 class SolidFixture {
   public:
@@ -152,7 +142,12 @@ class SolidFixture {
     /// For looking at: saved where the variable says.
     void picture(const QString& name) {
         if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
-        QTest::qWait(300);
+        const auto isDrawn = [this] {
+            if (session().document().isEmpty()) return true;
+            return session().document().dimension() == 3 ? canvas().isSettled()
+                                                         : m_window.canvas().isSettled();
+        };
+        if (!QTest::qWaitFor(isDrawn)) qWarning("not settled: %s", qPrintable(name));
         m_window.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + name + ".png");
     }
 

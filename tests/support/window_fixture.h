@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QImage>
 #include <QPainter>
 #include <QSettings>
@@ -43,6 +44,17 @@ inline bool settle(ShapeSession& session) {
                  session.motion().isBusy() ? "busy" : "idle",
                  session.motion().isStale() ? "stale" : "current", qPrintable(problem));
     return settled;
+}
+
+/// Delivers posted events until the widget keeps its size: layouts follow from one another.
+template <class Widget>  // tests without widgets include this, too
+void settleLayout(const Widget& widget) {
+    QRect before;
+    do {
+        before = widget.geometry();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+    } while (widget.geometry() != before);
 }
 
 /// Shows it, and makes it the active window, to which keys go: where no window manager is, none does that.

@@ -23,6 +23,8 @@ class ComputeThread : public QObject {
     ~ComputeThread() override;
 
     void post(Request request) { m_mailbox.post(std::move(request)); }
+    /// Returns whether all requests are done and all signals about them are emitted.
+    bool isIdle() const { return m_mailbox.isAwaited() && m_out.isEmpty(); }
 
   signals:
     /// Emitted with a rest mesh, new or unchanged, and with how much of the earlier frames remains valid.

@@ -25,11 +25,18 @@ void Mailbox::post(Request request) {
 
 std::optional<Request> Mailbox::take(bool wait, std::stop_token stop) {
     std::unique_lock lock(m_mutex);
+    m_isAwaited = wait;
     if (wait) m_arrived.wait(lock, stop, [this] { return !m_requests.empty(); });
+    m_isAwaited = false;
     if (m_requests.empty() || stop.stop_requested()) return {};
     Request request = std::move(m_requests.front());
     m_requests.pop_front();
     return request;
+}
+
+bool Mailbox::isAwaited() const {
+    const std::lock_guard lock(m_mutex);
+    return m_isAwaited && m_requests.empty();
 }
 
 std::stop_token Mailbox::interruption() {

@@ -49,17 +49,19 @@ class Mailbox {
     void post(Request request);
     /// Waits for a request. Returns nothing if there is none and `wait` is false, or if `stop` was requested.
     std::optional<Request> take(bool wait, std::stop_token stop);
+    /// Returns whether take() is waiting and there is no request for it.
+    bool isAwaited() const;
     /// Returns a token that stops as soon as a request is waiting.
     std::stop_token interruption();
     /// Stops every token from now on.
     void close();
 
   private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::deque<Request> m_requests;
     std::stop_source m_interruption;
-    bool m_closed = false;
+    bool m_closed = false, m_isAwaited = false;
 };
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <fstream>
 
 #include "app/project/design.h"
@@ -16,6 +17,7 @@
 #include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/files/file_workflow.h"
+#include "app/window/files/project_watch.h"
 #include "app/window/main_window.h"
 #include "app/window/notices/info_banner.h"
 #include "tests/support/dialogs.h"
@@ -178,13 +180,19 @@ void TestFilesOnDisk::twoWindowsOnOneProject() {
 
 void TestFilesOnDisk::ownSavesAreNoChange() {
     openProject();
+    const auto* watch = m_window->files().findChild<ProjectWatch*>();
+    QVERIFY(watch);
+    QSignalSpy changes(watch, &ProjectWatch::changed);
     for (const double x : {40, 120, 200}) {
         pin(x);
         QVERIFY(m_window->files().save());
-        QTest::qWait(250);  // longer than the watch waits
+        QVERIFY(!watch->isChanged());
         QVERIFY2(m_window->banner().text().isEmpty(), qPrintable(m_window->banner().text()));
     }
     QCOMPARE(pinsIn(file("bar.wend")), std::size_t(3));
+    writeAsOther(321);
+    QVERIFY(told("another program"));  // by now the watch has looked
+    QCOMPARE(changes.size(), 1);
 }
 
 void TestFilesOnDisk::aFailedSaveIsForgottenByTheNext() {

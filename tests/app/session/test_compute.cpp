@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 #include <QThread>
 
+#include "app/engine/motion/compute_thread.h"
 #include "app/engine/motion/motion_pass.h"
 #include "app/engine/motion/shape_engine.h"
 #include "app/engine/shape/held_border.h"
@@ -83,6 +84,11 @@ class TestCompute : public QObject {
     template <int Dim>
     QString whatIsLeft(const FramePtr& last) const;
     void drag(int handle, const std::vector<Vec2>& way);
+    /// Waits until the compute thread is idle and has nothing left to report, with or without a document.
+    bool allIsTaken() const {
+        const auto* thread = m_session->motion().findChild<ComputeThread*>();
+        return thread && QTest::qWaitFor([&] { return thread->isIdle(); }, 60000);
+    }
     Points2 commandLinePose() const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -415,7 +421,7 @@ void TestCompute::escapeRestores() {
     QVERIFY(m_session->motion().frame<2>()->pose != before);
     m_session->gestures().cancel();
     QVERIFY(m_session->motion().frame<2>()->pose == before);
-    QVERIFY(settle(*m_session));
+    QVERIFY(allIsTaken());
     QVERIFY(m_session->motion().frame<2>()->pose == before);
     QCOMPARE(m_session->document().undoStack()->count(), steps);
 }
@@ -475,7 +481,8 @@ void TestCompute::foldsStopTheHandle() {
     m_session->gestures().begin();
     for (int i = 1; i <= 40 && notices.isEmpty(); ++i) {
         m_session->gestures().moveBy({-5.0 * i, 0, 0});
-        QTest::qWait(30);
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !notices.isEmpty() || m_session->motion().frame()->sample == i; }, 60000));
     }
     QVERIFY(QTest::qWaitFor([&] { return !notices.isEmpty(); }, 20000));
     QVERIFY(notices.first().first().toString().startsWith(QStringLiteral("Pin 2")));
@@ -777,7 +784,7 @@ void TestCompute::nothingOutlivesItsDocument() {
     left.removeAll(QString());
     QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
     QVERIFY(told > 4);
-    QTest::qWait(50);  // what was under way
+    QVERIFY(allIsTaken());
     if (!closes) QVERIFY(settle(*m_session));
     left.removeAll(QString());
     QVERIFY2(left.isEmpty(), qPrintable(left.join(", ")));
@@ -797,7 +804,7 @@ void TestCompute::closingEndsTheWork() {
         notices(&m_session->document(), &Document::notice);
     m_session->document().close();
     QVERIFY(!m_session->motion().isBusy());
-    QTest::qWait(300);
+    QVERIFY(allIsTaken());
     QVERIFY(problems.isEmpty() && notices.isEmpty() && !m_session->motion().isBusy() &&
             !m_session->motion().frame());
 }

@@ -97,6 +97,7 @@ Points2 TestGestures::poseOf(const Project& project) const {
 }
 
 /// However early the drag begins: while the request waits, while it is being meshed, or later.
+/// The waits are the input: each begins the drag at another moment of the computation.
 void TestGestures::newPinIsThereAfterACancelledDrag() {
     open(6000);
     for (const int wait : {0, 1, 5, 20, 60}) {
@@ -145,6 +146,7 @@ void TestGestures::undoEndsADrag() {
     QVERIFY(m_session->motion().frame<2>()->pose == m_session->motion().frame<2>()->rest->points);
 }
 
+/// At whatever moment of the computation the pointer moves or the drag ends: the waits are these moments.
 void TestGestures::framesFitTheirMesh() {
     open();
     int seen = 0;

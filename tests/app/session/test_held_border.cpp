@@ -115,10 +115,9 @@ int TestHeldBorder::dragMiddle() {
     m_session->gestures().begin();
     for (int step = 1; step <= 5; ++step) {
         m_session->gestures().moveBy({7.0 * step, 5.0 * step, 0});
-        QTest::qWait(20);
+        const auto isThere = [&] { return live > 0 && m_session->motion().frame()->sample == step; };
+        if (!QTest::qWaitFor(isThere, 60000)) return -1;
     }
-    const auto isLast = [&] { return live > 0 && m_session->motion().frame()->sample == 5; };
-    if (!QTest::qWaitFor(isLast, 60000)) return -1;
     wrong += border == Border::Slide && along < 1 ? 1 : 0;
     m_session->gestures().end(0.2);
     disconnect(watch);

@@ -25,6 +25,7 @@
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
 #include "app/window/help/shortcuts.h"
+#include "tests/support/child_processes.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -338,8 +339,10 @@ void TestTrackTools::soundWhileScrubbing() {
     QTRY_COMPARE_WITH_TIMEOUT(lines("played").size(), 4, 20000);
     QVERIFY(lines("played")[3].contains(QStringLiteral("-ss 2.000")));
     tracks().sound().setHeard(false);
+    const QList<pid_t> processes = childrenOf(getpid());
     QTest::mouseClick(&ruler, Qt::LeftButton, {}, at(2.5));
-    QTest::qWait(200);
+    QVERIFY(std::abs(session().playback().time() - 2.5) < 0.02);
+    QCOMPARE(childrenOf(getpid()), processes);  // no player
     QCOMPARE(lines("played").size(), 4);
     for (const QString& process : lines("processes"))
         QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(QStringLiteral("/proc/") + process), 20000);

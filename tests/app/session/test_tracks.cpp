@@ -24,6 +24,7 @@
 #include "app/window/film/time_ruler.h"
 #include "app/window/film/time_strip.h"
 #include "app/window/film/track_view.h"
+#include "tests/support/child_processes.h"
 #include "tests/support/solid_fixture.h"
 
 using namespace wend;
@@ -615,8 +616,11 @@ void TestTracks::soundIsDrawnAndHeard() {
     session().playback().setPlaying(false);
     sound.setHeard(false);
     const auto count = played().size();
+    const QList<pid_t> processes = childrenOf(getpid());
+    session().playback().setTime(0);
     session().playback().setPlaying(true);
-    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(session().playback().time() > 0.05, 20000);
+    QCOMPARE(childrenOf(getpid()), processes);  // no player
     session().playback().setPlaying(false);
     QCOMPARE(played().size(), count);
     undo().undo();

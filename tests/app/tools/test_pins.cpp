@@ -204,8 +204,9 @@ void TestPins::hide() {
     auto& canvas = Bar<Dim>::canvas(*m_f);
     const Vec<Dim> place = pin<Dim>(1);
     const auto mark = [&] {
-        QTest::mouseMove(&canvas, at<Dim>(place) + QPoint(0, -150));
-        QTest::qWait(200);
+        const QPointF away = at<Dim>(place) + QPoint(0, -150);
+        QMouseEvent move(QEvent::MouseMove, away, canvas.mapToGlobal(away), Qt::NoButton, Qt::NoButton, {});
+        QCoreApplication::sendEvent(&canvas, &move);
         const QRect around(at<Dim>(place) - QPoint(5, 5), QSize(11, 11));
         return canvas.grab().toImage().copy(around);
     };

@@ -235,8 +235,10 @@ void TestExportPanel::whatWasChosenStays() {
     QTest::mouseClick(kind("Picture"), Qt::LeftButton);
     QCOMPARE(panel().form().extension(), QStringLiteral(".tif"));
     QCOMPARE(panel().form().values().text("--depth"), std::string("16"));
-    QVERIFY(bend(0, -20));
     QVERIFY(isCurrent());
+    const QImage before = seen();
+    QVERIFY(bend(0, -20));
+    QTRY_VERIFY_WITH_TIMEOUT(isCurrent() && seen() != before, 20000);
     QCOMPARE(panel().form().extension(), QStringLiteral(".tif"));
     QCOMPARE(panel().form().values().text("--depth"), std::string("16"));
     QTest::mouseClick(kind("Mesh"), Qt::LeftButton);
@@ -366,8 +368,10 @@ void TestExportPanel::cropIsDrawn() {
     // Another canvas may be chosen all the same, until another rectangle is drawn.
     panel().form().field("--canvas")->setValue("picture");
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
-    QVERIFY(bend(-10, 20));
     QVERIFY(isCurrent());
+    const QImage before = seen();
+    QVERIFY(bend(-10, 20));
+    QTRY_VERIFY_WITH_TIMEOUT(isCurrent() && seen() != before, 20000);
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     drag({180, 110}, {170, 100});
     QTRY_COMPARE(panel().form().values().text("--canvas"), std::string("60,50,110,50"));

@@ -170,8 +170,7 @@ void TestFileWorkflow::changesDuringAReadingAreAskedFor() {
     m_window->openPath(picture);  // nothing is changed yet: not asked
     addPin(document(), {40, 20}, "Pin 1");
     answerNext(m_window.get(), "Cancel");
-    QVERIFY(QTest::qWaitFor([&] { return finished.size() == 2; }, 20000));
-    QTest::qWait(300);
+    QVERIFY(QTest::qWaitFor([&] { return finished.size() == 2; }, 20000));  // and the question is answered
     QCOMPARE(document().generation(), generation);
     QCOMPARE(document().design().handles.size(), std::size_t(1));
 }

@@ -156,7 +156,6 @@ void TestModes::toolsBringTheirPanelIntoView() {
     tools().setMode(Mode::Pins);
     tools().setMode(Mode::Mesh);  // with its brush
     settleLayout(m_f->window().properties());
-    QTest::qWait(100);
     const auto* scroll = m_f->window().findChild<QScrollArea*>(QStringLiteral("sideScroll"));
     QVERIFY(tools().isChosen("sizes") && scroll->verticalScrollBar()->value() == 0);
 }
@@ -489,13 +488,16 @@ void TestModes::backslashShowsTheShapeBefore_data() {
 /// While it is held, and without pins.
 void TestModes::backslashShowsTheShapeBefore() {
     QFETCH(bool, solid);
+    m_f->window().actions().hideOverlays->setChecked(true);
     QVERIFY(open(solid));
     ShapeSession& session = m_f->session();
     const auto seen = [&] {
-        QTest::qWait(400);  // drawn in a thread of its own, and once more in full quality
         return solid ? m_f->canvas().grabFramebuffer() : m_f->window().canvas().grab().toImage();
     };
-    m_f->window().actions().hideOverlays->setChecked(true);
+    const auto isSettled = [&] {  // drawn in a thread of its own, and once more in full quality
+        return solid ? m_f->canvas().isSettled() : m_f->window().canvas().isSettled();
+    };
+    QVERIFY(QTest::qWaitFor(isSettled, 60000));
     const QImage before = seen();
     if (solid) {
         QVERIFY(m_f->holdEnds());
@@ -506,15 +508,16 @@ void TestModes::backslashShowsTheShapeBefore() {
         session.gestures().moveAtOnce(Grip{}, {0, 25, 0});
     }
     QVERIFY(settle(session));
+    QVERIFY(QTest::qWaitFor(isSettled, 60000));
     const QImage bent = seen();
     QVERIFY(bent != before);
     QWidget* view = solid ? static_cast<QWidget*>(&m_f->canvas()) : &m_f->window().canvas();
     QTest::keyPress(view, Qt::Key_Backslash);
-    QCOMPARE(seen(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(seen(), before, 20000);
     QTest::keyRelease(view, Qt::Key_Backslash);
-    QCOMPARE(seen(), bent);
+    QTRY_COMPARE_WITH_TIMEOUT(seen(), bent, 20000);
     m_f->window().actions().showRest->trigger();
-    QCOMPARE(seen(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(seen(), before, 20000);
     m_f->window().actions().showRest->trigger();
 }
 

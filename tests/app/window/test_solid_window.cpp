@@ -206,7 +206,7 @@ void TestSolidWindow::windowKeepsItsPlace() {
     QVERIFY(QTest::qWaitFor([&] { return m_f->window().geometry().topLeft() == place; }, 20000));
     const QSize size = m_f->window().size();
     QVERIFY(m_f->open());
-    QTest::qWait(200);
+    QVERIFY(QTest::qWaitForWindowExposed(&m_f->window(), 20000));
     QCOMPARE(placeOf(m_f->window()), place);
     QCOMPARE(m_f->window().geometry(), QRect(place, size));
 }
@@ -526,8 +526,10 @@ void TestSolidWindow::coloursFollowTheMeasure() {
         measure->setCurrentIndex(i);
         QVERIFY2(m_f->canvas().grabFramebuffer() != plain, qPrintable(measure->itemText(i)));
     }
-    m_f->window().actions().showArrows->setChecked(true);
     m_f->session().playback().setTime(0.5);
+    const QImage without = m_f->canvas().grabFramebuffer();
+    m_f->window().actions().showArrows->setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(m_f->canvas().grabFramebuffer() != without, 20000);
     m_f->picture(QStringLiteral("arrows"));
 }
 

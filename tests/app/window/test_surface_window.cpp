@@ -133,6 +133,7 @@ void TestSurfaceWindow::badSurfacesAreShownAndRepaired() {
     };
     QVERIFY(QTest::qWaitFor(offersCage, 20000));
     QVERIFY(m_f->window().banner().isVisible());
+    QVERIFY(QTest::qWaitFor([&] { return m_f->canvas().isSettled(); }, 20000));
     m_f->picture(QStringLiteral("bad"));
     QVERIFY(saysThatThereIsNoSolid());
     QPushButton* repair = nullptr;
@@ -432,7 +433,6 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     fine.vertices = 60000;
     document.changeDomain(QStringLiteral("Fine"), fine);
     QVERIFY(QTest::qWaitFor([&] { return note->isVisible(); }, 20000));
-    settleLayout(*note);
     for (const QLabel* label : note->findChildren<QLabel*>())
         QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
     // Other words have their width at once.

@@ -49,6 +49,11 @@ class TestVolumeView : public QObject {
     void smoothColoursOfASkin();
 
   private:
+    /// Waits until nothing moves any more and the view is drawn in full quality.
+    bool isSettled() {
+        return QTest::qWaitFor([this] { return m_view->isSettled(); }, 20000);
+    }
+
     std::unique_ptr<VolumeView> m_view;
     VolumePicture m_picture;
 };
@@ -489,7 +494,7 @@ void TestVolumeView::viewMovesToAnotherWindow() {
     QVERIFY(QTest::qWaitForWindowExposed(&second, 20000));
     view->setParent(&second);
     view->show();
-    QTRY_VERIFY(view->grabFramebuffer() == before);
+    QTRY_VERIFY_WITH_TIMEOUT(view->grabFramebuffer() == before, 20000);
     QVERIFY(view->picture({64, 64}, true).pixelColor(32, 32).alpha() == 255);
 }
 
@@ -592,7 +597,10 @@ void TestVolumeView::manyTrianglesAreDrawn() {
                 double prepare = 0, draw = 0, turn = 0;
                 for (int i = 0; i < 5; ++i) {
                     large.pose.row(2) *= 1.01;
-                    moving ? m_view->hurry() : QTest::qWait(250);
+                    if (moving)
+                        m_view->hurry();
+                    else
+                        QVERIFY(isSettled());
                     m_view->setPicture(large, false);
                     m_view->repaint();
                     prepare += m_view->lastFrame().prepare / 5;
@@ -614,7 +622,7 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
     VolumePicture picture = waves(24);
     m_view->look(Camera::Axis::Isometric);
     m_view->setPicture(picture, true);
-    QTest::qWait(250);  // nothing moves any more
+    QVERIFY(isSettled());
     const QImage fine = m_view->grabFramebuffer();
     m_view->hurry();
     QVERIFY(m_view->grabFramebuffer() == fine);
@@ -633,7 +641,7 @@ void TestVolumeView::whatMovesIsInItsPlace() {
     m_view->resize(1600, 1000);
     m_view->look(Camera::Axis::Isometric);
     m_view->setPicture(picture, true);
-    QTest::qWait(250);  // nothing moves any more
+    QVERIFY(isSettled());
     const QImage fine = m_view->grabFramebuffer();
     QImage moving;
     for (int k = 0; k < 4; ++k) {

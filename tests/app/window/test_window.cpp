@@ -718,7 +718,7 @@ void TestWindow::fitsASmallScreen() {
     open();
     QVERIFY(fits());
     m_window->resize(minimum);
-    QTest::qWait(20);
+    settleLayout(*m_window);
     QCOMPARE(m_window->size(), minimum);
     QVERIFY(MainWindow().height() <= m_window->screen()->availableSize().height());
 }
