@@ -57,7 +57,7 @@ class TestDragFlow : public QObject {
         options.steps = 60;
         options.velocityTolerance = 0;
         Deformer<Dim> exact = bend.deformer(options);
-        QVERIFY(exact.advance(1).outcome == Outcome::Done);
+        QCOMPARE(exact.advance(1).outcome, Outcome::Done);
         const double error =
             distance(flow.pose(), exact.state().points) / boundingBoxDiagonal<Dim>(bend.mesh->points);
         // The fields' tolerance of 1e-3 over a way of 0.4 diagonals.
@@ -87,7 +87,7 @@ class TestDragFlow : public QObject {
         IntegrationOptions options;
         options.tolerance = 1e-6;
         Deformer<Dim> exact = bend.deformer(options);
-        QVERIFY(exact.advance(1).outcome == Outcome::Done);
+        QCOMPARE(exact.advance(1).outcome, Outcome::Done);
         const double missed = distance(remembering, exact.state().points),
                      made = distance(remembering, forgetful);
         qInfo("missed %.2e, made %.2e", missed, made);

@@ -80,7 +80,7 @@ class TestInputFile : public QObject {
         const std::string result = wend::printable(text.toStdString());
         QCOMPARE(QByteArray::fromStdString(result), shown);
         QCOMPARE(wend::printable(result), result);
-        QVERIFY(QString::fromStdString(result).toUtf8() == shown);
+        QCOMPARE(QString::fromStdString(result).toUtf8(), shown);
     }
 
     void messages() {

@@ -344,7 +344,7 @@ class TestIntegrationDeformer : public QObject {
         bend.handles[1].motions = {Motion<Dim>{Translate<Dim>{far * Vec<Dim>::Unit(1)}}};
         Deformer<Dim> deformer = bend.deformer(precise(1e-3));
         const AdvanceResult result = deformer.advance(1);
-        QVERIFY(result.outcome == Outcome::StepTooSmall);
+        QCOMPARE(result.outcome, Outcome::StepTooSmall);
         QVERIFY(result.time < 1e-3);
         QVERIFY2(result.message.text().find("too fast") != std::string::npos, result.message.text().c_str());
         QVERIFY(deformer.statistics().steps < 1000);
@@ -357,7 +357,7 @@ class TestIntegrationDeformer : public QObject {
         bend.handles[1].motions = {Motion<Dim>{Translate<Dim>{-3 * Vec<Dim>::Unit(0)}}};
         Deformer<Dim> deformer = bend.deformer(precise(1e-3));
         const AdvanceResult result = deformer.advance(1);
-        QVERIFY(result.outcome == Outcome::CellInverted);
+        QCOMPARE(result.outcome, Outcome::CellInverted);
         QVERIFY(result.time > 0.3 && result.time < 0.667);  // they meet at 2/3
         QCOMPARE(deformer.state().time, result.time);
         QVERIFY(result.cell >= 0 && result.cell < bend.mesh->cellCount());

@@ -188,7 +188,7 @@ void TestInterruption::solveStops() {
         solver.setStop(alarm.source.get_token());
         const int factors = solver.statistics().factorizations;
         QCOMPARE(solver.solve(bend.mesh->points, speeds, v).kind, SolveOutcome::Kind::Stopped);
-        QVERIFY(alarm.left == -1);
+        QCOMPARE(alarm.left, -1);
         QVERIFY(solver.statistics().factorizations <= factors + 1);
         solver.setStop({});
         solver.forget();

@@ -244,7 +244,7 @@ class TestMeshReading : public QObject {
         const auto file = readAs("a.obj",
                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 9 9\nvt .1 .2\nvt .3 .4\nvt .5 .6\n"
                                  "f -3/-3 -2/-2 -1/-1\nv 0 1 0\nvt .7 .8\nf 1/-4 3/-2/1 4/-1\n");
-        QVERIFY((flat(file.uv) == std::vector<double>{.1, .2, .3, .4, .5, .6, .7, .8}));
+        QCOMPARE(flat(file.uv), (std::vector<double>{.1, .2, .3, .4, .5, .6, .7, .8}));
         QVERIFY_THROWS_EXCEPTION(InputError,
                                  readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/-2 2/1 3/1\n"));
     }
@@ -256,8 +256,8 @@ class TestMeshReading : public QObject {
                                  "$Nodes\n1 4 1 4\n2 3 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
                                  "$EndNodes\n$Elements\n2 2 1 2\n2 3 2 1\n1 1 2 3\n2 4 2 1\n2 1 3 4\n"
                                  "$EndElements\n");
-        QVERIFY((valuesOf(file, "physical") == std::vector<double>{7, 5}));
-        QVERIFY((valuesOf(file, "entity") == std::vector<double>{3, 4}));
+        QCOMPARE(valuesOf(file, "physical"), (std::vector<double>{7, 5}));
+        QCOMPARE(valuesOf(file, "entity"), (std::vector<double>{3, 4}));
     }
     void objTexture() {
         const std::string vs = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\n";
@@ -280,8 +280,8 @@ class TestMeshReading : public QObject {
             const auto file = readAs("a.ply", plyHeader("ascii", extra) +
                                                   "0 0 0 9 .5 .25\n1 0 0 8 1 0\n1 1 0 7 1 1\n"
                                                   "0 1 0 255 0 1\n4 0 1 2 3\n");
-            QVERIFY((flat(file.uv) == std::vector<double>{.5, .25, 1, 0, 1, 1, 0, 1}));
-            QVERIFY((valuesOf(file, "red") == std::vector<double>{9, 8, 7, 255}));
+            QCOMPARE(flat(file.uv), (std::vector<double>{.5, .25, 1, 0, 1, 1, 0, 1}));
+            QCOMPARE(valuesOf(file, "red"), (std::vector<double>{9, 8, 7, 255}));
             QCOMPARE(file.fields.size(), std::size_t(1));
         }
     }
@@ -297,11 +297,11 @@ class TestMeshReading : public QObject {
             "FIELD FieldData 1\nf 1 4 float\n1 2 3 4\nMETADATA\nCOMPONENT_NAMES\nx\n\nCOLOR_SCALARS c 1\n0 "
             "0.5 1 1\n";
         const auto file = readAs("a.vtk", vtk);
-        QVERIFY((valuesOf(file, "a b") == std::vector<double>{6, 6, 7}));
-        QVERIFY((valuesOf(file, "v") == std::vector<double>{1, 2, 3, 1, 2, 3, 4, 5, 6}));
-        QVERIFY((flat(file.uv) == std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1}));
-        QVERIFY((valuesOf(file, "f") == std::vector<double>{1, 2, 3, 4}));
-        QVERIFY((valuesOf(file, "c") == std::vector<double>{0, 0.5, 1, 1}));
+        QCOMPARE(valuesOf(file, "a b"), (std::vector<double>{6, 6, 7}));
+        QCOMPARE(valuesOf(file, "v"), (std::vector<double>{1, 2, 3, 1, 2, 3, 4, 5, 6}));
+        QCOMPARE(flat(file.uv), (std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1}));
+        QCOMPARE(valuesOf(file, "f"), (std::vector<double>{1, 2, 3, 4}));
+        QCOMPARE(valuesOf(file, "c"), (std::vector<double>{0, 0.5, 1, 1}));
         QVERIFY(std::isnan(valuesOf(file, "s")[6]));  // a field may hold it
     }
     void mixedCellsOfAVolume() {
@@ -312,7 +312,7 @@ class TestMeshReading : public QObject {
                                 "CELL_DATA 4\nSCALARS m int\nLOOKUP_TABLE default\n1 2 3 4\n");
         QVERIFY((file.tetrahedra == Tetrahedra{{0, 1, 2, 3}, {1, 2, 3, 4}}));
         QVERIFY((file.triangles == Triangles{{0, 1, 2}}));
-        QVERIFY((valuesOf(file, "m") == std::vector<double>{2, 4}));
+        QCOMPARE(valuesOf(file, "m"), (std::vector<double>{2, 4}));
     }
     /// Numbers of nodes and cells are names, in the values too.
     void ucdValues() {
@@ -324,19 +324,19 @@ class TestMeshReading : public QObject {
                    "1 1\nstress, Pa\n6 30\n7 10\n5 20\n");
         QVERIFY((file.tetrahedra == Tetrahedra{{0, 1, 2, 3}, {1, 2, 3, 4}}));
         QVERIFY((file.triangles == Triangles{{0, 1, 2}}));
-        QVERIFY((valuesOf(file, "heat") == std::vector<double>{6, 5, 7, 9, 8}));
+        QCOMPARE(valuesOf(file, "heat"), (std::vector<double>{6, 5, 7, 9, 8}));
         QCOMPARE(valuesOf(file, "flow of it")[2], 6.0);
         QVERIFY(std::isnan(valuesOf(file, "flow of it")[9]));
-        QVERIFY((valuesOf(file, "stress") == std::vector<double>{10, 30}));
-        QVERIFY((valuesOf(file, "material") == std::vector<double>{4, 8}));
+        QCOMPARE(valuesOf(file, "stress"), (std::vector<double>{10, 30}));
+        QCOMPARE(valuesOf(file, "material"), (std::vector<double>{4, 8}));
     }
     void gmshTags() {
         const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
         const auto file =
             readAs("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + nodes +
                                 "$Elements\n2\n1 2 2 9 8 1 2 3\n2 4 2 6 5 1 2 3 4\n$EndElements\n");
-        QVERIFY(valuesOf(file, "physical") == std::vector<double>{6});
-        QVERIFY(valuesOf(file, "entity") == std::vector<double>{5});
+        QCOMPARE(valuesOf(file, "physical"), std::vector<double>{6});
+        QCOMPARE(valuesOf(file, "entity"), std::vector<double>{5});
         QCOMPARE(file.triangles.size(), std::size_t(1));
     }
     void gmshEntityOfTwoGroupsIsOfTheFirst() {
@@ -346,14 +346,14 @@ class TestMeshReading : public QObject {
                    "0\n$EndEntities\n"
                    "$Nodes\n1 4 1 4\n3 4 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
                    "$Elements\n1 1 1 1\n3 4 4 1\n1 1 2 3 4\n$EndElements\n");
-        QVERIFY(valuesOf(file, "physical") == std::vector<double>{8});
-        QVERIFY(valuesOf(file, "entity") == std::vector<double>{4});
+        QCOMPARE(valuesOf(file, "physical"), std::vector<double>{8});
+        QCOMPARE(valuesOf(file, "entity"), std::vector<double>{4});
         const auto parted = readAs("a.msh",
                                    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
                                    "3 0 1 0\n4 0 0 1\n$EndNodes\n"
                                    "$Elements\n1\n2 4 4 6 5 1 9 1 2 3 4\n$EndElements\n");
-        QVERIFY(valuesOf(parted, "physical") == std::vector<double>{6});
-        QVERIFY(valuesOf(parted, "entity") == std::vector<double>{5});
+        QCOMPARE(valuesOf(parted, "physical"), std::vector<double>{6});
+        QCOMPARE(valuesOf(parted, "entity"), std::vector<double>{5});
     }
     void meditReferences() {
         const auto file =
@@ -361,8 +361,9 @@ class TestMeshReading : public QObject {
                    "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 1\n1 0 0 2\n0 1 0 3\n"
                    "0 0 1 4\nTetrahedra\n1\n1 2 3 4 77\nTriangles\n1\n1 2 3 5\nEnd\n");
         QCOMPARE(file.fields.size(), std::size_t(2));
-        QVERIFY((file.fields[0].values == std::vector<double>{1, 2, 3, 4}));
-        QVERIFY(file.fields[1].perCell && file.fields[1].values == std::vector<double>{77});
+        QCOMPARE(file.fields[0].values, (std::vector<double>{1, 2, 3, 4}));
+        QVERIFY(file.fields[1].perCell);
+        QCOMPARE(file.fields[1].values, std::vector<double>{77});
     }
     void tetgenPairs_data() {
         QTest::addColumn<int>("first");
@@ -382,9 +383,10 @@ class TestMeshReading : public QObject {
         folder.put("a.ele", "1 4 1\n" + n(0) + n(0) + n(1) + n(2) + n(3) + "42\n");
         const auto file = readMeshFile(folder.path(opened.toStdString()));
         QVERIFY((file.tetrahedra == Tetrahedra{{0, 1, 2, 3}}));
-        QVERIFY((file.fields[0].values == std::vector<double>{.5, 1, .25, 2, 0, 3, 0, 4}));
-        QVERIFY((file.fields[1].values == std::vector<double>{9, 8, 7, 6}));
-        QVERIFY(file.fields[2].perCell && file.fields[2].values == std::vector<double>{42});
+        QCOMPARE(file.fields[0].values, (std::vector<double>{.5, 1, .25, 2, 0, 3, 0, 4}));
+        QCOMPARE(file.fields[1].values, (std::vector<double>{9, 8, 7, 6}));
+        QVERIFY(file.fields[2].perCell);
+        QCOMPARE(file.fields[2].values, std::vector<double>{42});
     }
     void trianglePair() {
         const samples::Folder folder;

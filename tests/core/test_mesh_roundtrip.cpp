@@ -96,7 +96,7 @@ class TestMeshRoundtrip : public QObject {
                 QCOMPARE(find(back, "flow_2")->values[v], file.fields[1].values[3 * v + 2]);
         } else {
             QCOMPARE(find(back, "flow")->components, 3);
-            QVERIFY(find(back, "flow")->values == file.fields[1].values);
+            QCOMPARE(find(back, "flow")->values, file.fields[1].values);
         }
     }
 
@@ -108,7 +108,7 @@ class TestMeshRoundtrip : public QObject {
         QVERIFY(file.tetrahedra == back.tetrahedra);
         QVERIFY(back.triangles.empty());
         if (encoding.fields) {
-            QVERIFY(find(back, "stress")->values == file.fields[1].values);
+            QCOMPARE(find(back, "stress")->values, file.fields[1].values);
             QCOMPARE(find(back, "stress")->components, 9);
         }
     }
@@ -137,7 +137,7 @@ class TestMeshRoundtrip : public QObject {
         const auto back = wentThrough(file, encoding);
         QVERIFY(file.tetrahedra == back.tetrahedra);
         if (encoding.triangles3d) QVERIFY(file.triangles == back.triangles);
-        if (encoding.fields) QVERIFY(find(back, "ref")->values == file.fields[0].values);
+        if (encoding.fields) QCOMPARE(find(back, "ref")->values, file.fields[0].values);
     }
 
     /// So are their labels, and their names in Gmsh's files.
@@ -152,8 +152,8 @@ class TestMeshRoundtrip : public QObject {
         file.labelNames = {"left side", "right \"side\""};
         const auto back = wentThrough(file, encoding);
         if (!encoding.triangles3d) return;
-        QVERIFY(back.labels == file.labels);
-        if (encoding.fields) QVERIFY(find(back, "stress")->values == file.fields[1].values);
+        QCOMPARE(back.labels, file.labels);
+        if (encoding.fields) QCOMPARE(find(back, "stress")->values, file.fields[1].values);
         if (std::string(encoding.file).ends_with(".msh"))
             QVERIFY(back.labelNames == (std::vector<std::string>{"left side", "right 'side'"}));
     }

@@ -298,7 +298,7 @@ class TestMotion : public QObject {
             return Trajectory<2>({curve<2>(Interpolation::Bezier, FrameKind::None, std::move(points))})
                 .breakTimes();
         };
-        QVERIFY(breaks(windingBezier<2>()).size() == 0);
+        QCOMPARE(breaks(windingBezier<2>()).size(), std::size_t(0));
         auto loose = windingBezier<2>();
         loose[4] += Vec2(0.1, 0);
         QCOMPARE(breaks(loose), std::vector<double>{0.5});

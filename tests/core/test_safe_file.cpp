@@ -338,7 +338,7 @@ void TestSafeFile::idleChildIsEnded() {
     put(busy, "#!/bin/sh\nk=0\nwhile [ $k -lt 400000 ]; do k=$((k+1)); done\necho done\n");
     for (const std::string& name : {script, busy}) fs::permissions(name, fs::perms::owner_all);
     const ChildResult idle = runChild(script, {}, 600, 1000, {}, 0, 1);
-    QVERIFY(idle.end == ChildResult::End::Idle);
+    QCOMPARE(idle.end, ChildResult::End::Idle);
     const std::string stat = "/proc/" + std::to_string(std::stoi(idle.output)) + "/stat";
     QVERIFY(QTest::qWaitFor([&] {  // gone, or not yet waited for by whoever adopted it
         const QByteArray state = QByteArray::fromStdString(fs::exists(stat) ? get(stat) : "");

@@ -59,11 +59,11 @@ void TestSkin::objLookIsRead() {
     QCOMPARE(skin.triangles.size(), std::size_t(3));
     QVERIFY(skin.uvCorners[1] == (std::array{0, 2, 3}));
     QVERIFY(skin.uvCorners[2] == (std::array{4, 1, 4}));
-    QVERIFY(skin.materialOf == (std::vector{0, 0, 1}));
+    QCOMPARE(skin.materialOf, (std::vector{0, 0, 1}));
     QCOMPARE(skin.materials[0].colour[1], 0.25F);
     QCOMPARE(skin.materials[0].colour[3], 0.5F);
     QCOMPARE(QString::fromStdString(skin.materials[1].texture), m_folder.filePath("looks/wood.png"));
-    QVERIFY(skin.labels == (std::vector{1, 1, 2}));
+    QCOMPARE(skin.labels, (std::vector{1, 1, 2}));
     QVERIFY(skin.labelNames == (std::vector<std::string>{"red", "wood"}));
     QVERIFY(skin.warnings.empty());
 }
@@ -90,7 +90,7 @@ void TestSkin::groupsAreLabels() {
     put("groups.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng left\nf 1 2 3\ng right\nf 1 2 4\ng left\nf 2 3 4\n");
     const Skin skin = readSkin(file("groups.obj"));
-    QVERIFY(skin.labels == (std::vector{1, 2, 1}));
+    QCOMPARE(skin.labels, (std::vector{1, 2, 1}));
     QVERIFY(skin.labelNames == (std::vector<std::string>{"left", "right"}));
     QVERIFY(skin.uvCorners.empty() && skin.materialOf.empty());
 }

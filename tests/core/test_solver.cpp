@@ -439,16 +439,16 @@ void outcomesAreValues() {
 
     Points<Dim> broken = mesh->points;
     broken(0, cell[0]) = std::nan("");
-    QVERIFY(solver.solve(broken, prescribed, v).kind == SolveOutcome::Kind::CellInverted);
+    QCOMPARE(solver.solve(broken, prescribed, v).kind, SolveOutcome::Kind::CellInverted);
     Points<Dim> infinite = prescribed;
     infinite(0, 0) = std::numeric_limits<double>::infinity();
-    QVERIFY(solver.solve(mesh->points, infinite, v).kind == SolveOutcome::Kind::NotFinite);
+    QCOMPARE(solver.solve(mesh->points, infinite, v).kind, SolveOutcome::Kind::NotFinite);
     std::vector<ConstraintRow> all;  // nothing is left to be solved for
     for (int i = 0; i < mesh->vertexCount(); ++i) all.push_back(fixed(i));
     Points<Dim> none = Points<Dim>::Ones(Dim, mesh->vertexCount());
     none(Dim - 1, 3) = std::nan("");
     solver.setConstraints(all);
-    QVERIFY(solver.solve(mesh->points, none, v).kind == SolveOutcome::Kind::NotFinite);
+    QCOMPARE(solver.solve(mesh->points, none, v).kind, SolveOutcome::Kind::NotFinite);
     solver.setConstraints(rows);
     QVERIFY(solver.solve(mesh->points, prescribed, v).done());  // and goes on
     QVERIFY((v - Points<Dim>::Ones(Dim, v.cols())).cwiseAbs().maxCoeff() < 1e-11);

@@ -65,7 +65,7 @@ void TestSolverFallback::factorsTakeOver() {
     QVERIFY(deformer.statistics().factorizations >= 2);  // levels, and a factor
     options.solver = SolverKind::Direct;
     auto direct = bend.deformer(options);
-    QVERIFY(direct.advance(0.02).outcome == Outcome::Done);
+    QCOMPARE(direct.advance(0.02).outcome, Outcome::Done);
     QVERIFY(distance(deformer.state().points, direct.state().points) < 1e-6);
 }
 

@@ -269,7 +269,7 @@ void TestSolverReuse::contractionsAreToldAsMeasured() {
     const auto strict =
         run({.tolerance = 1e-4, .poorestContraction = 0.9, .hopeless = [](double) { return false; }});
     QVERIFY(strict.worstContraction.value() > 0.9 && strict.iterations < often.iterations);
-    QVERIFY(strict.end == ConjugateGradients<2>::Result::End::GaveUp);
+    QCOMPARE(strict.end, ConjugateGradients<2>::Result::End::GaveUp);
 }
 
 void TestSolverReuse::equiaAlwaysFactorizes() {
@@ -304,10 +304,10 @@ void TestSolverReuse::cholmodServesWhereItIsQuicker() {
         return solver.remember().kind;
     };
     onEveryTarget([&](SimdTarget target) {
-        QVERIFY(kindFor(small, 1) == FactorKind::Single);
+        QCOMPARE(kindFor(small, 1), FactorKind::Single);
         const auto expected = target < SimdTarget::Avx2 ? FactorKind::Reference : FactorKind::Single;
-        QVERIFY(kindFor(large, 1) == expected);
-        QVERIFY(kindFor(large, 2) == expected);
+        QCOMPARE(kindFor(large, 1), expected);
+        QCOMPARE(kindFor(large, 2), expected);
     });
 }
 

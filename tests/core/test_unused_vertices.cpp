@@ -81,7 +81,7 @@ void twinsMove() {
     typename Deformer<Dim>::Watch watch;
     watch.frames = {0.3, 0.6};
     watch.onFrame = [&](const State<Dim>& state) { frames += goesAlong(state.points); };
-    QVERIFY(deformer.advance(1, watch).outcome == Outcome::Done);
+    QCOMPARE(deformer.advance(1, watch).outcome, Outcome::Done);
     QCOMPARE(frames, 2);
     const Points<Dim>& pose = deformer.state().points;
     QVERIFY(goesAlong(pose) && (pose.col(0) - spared.points.col(0)).norm() > 0.1);

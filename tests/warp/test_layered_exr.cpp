@@ -57,7 +57,7 @@ void TestLayeredExr::everyLayerHasChannels() {
         }
     const Image own = readImage(at("layers.exr"));  // the picture of all of them
     QCOMPARE(own.channels, 4);
-    QVERIFY(own.metadata->leftOut.size() == 8);
+    QCOMPARE(own.metadata->leftOut.size(), std::size_t(8));
 }
 
 void TestLayeredExr::typesAreKept() {

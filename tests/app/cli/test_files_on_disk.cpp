@@ -257,7 +257,7 @@ void TestFilesOnDisk::transparentPicturesAreTold() {
     QVERIFY(document().isEmpty());
     press("Use Whole Frame");
     QVERIFY(opened(0));
-    QVERIFY(document().domain().outline == OutlineKind::Frame);
+    QCOMPARE(document().domain().outline, OutlineKind::Frame);
     QVERIFY(m_window->banner().text().isEmpty());
     m_window->openPath(file("nothing.png"));
     QVERIFY(told("Nothing to see"));

@@ -292,7 +292,8 @@ void TestSolidCli::infoOfBadSurface() {
         QCOMPARE(crossing->values[i] == 1, std::any_of(pairs.begin(), pairs.end(), has));
     }
     for (const QJsonValue pair : pairs)
-        for (const QJsonValue t : pair.toArray()) QVERIFY(std::ranges::count(cells->values, t.toInt()) == 1);
+        for (const QJsonValue t : pair.toArray())
+            QCOMPARE(std::ranges::count(cells->values, t.toInt()), std::ptrdiff_t(1));
     for (std::size_t i = 0; i < trianglesOf(*wrong).size(); ++i) {  // the same corners as in the file
         const auto& original = bad.triangles[static_cast<std::size_t>(cells->values[i])];
         for (int k = 0; k < 3; ++k)

@@ -249,7 +249,7 @@ void TestPartList::partIsBlended() {
     list().setCurrentRow(1);
     QCOMPARE(blend->currentText(), QString("Normal"));
     emit blend->activated(2);
-    QVERIFY(parts()[1].blend == BlendMode::Screen);
+    QCOMPARE(parts()[1].blend, BlendMode::Screen);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(blend->currentText(), QString("Screen"));
     undo().undo();

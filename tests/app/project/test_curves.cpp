@@ -86,7 +86,7 @@ void TestCurves::splitKeepsTheCurve() {
                 QVERIFY((after[2].value(t) - before[1].value(v + (1 - v) * t)).norm() < kRounding);
             }
             QVERIFY(jointKinds(split)[2] != JointKind::Free);
-            QVERIFY(jointKinds(split)[1] == JointKind::Free);
+            QCOMPARE(jointKinds(split)[1], JointKind::Free);
         }
     });
 }
@@ -113,7 +113,7 @@ void TestCurves::endsAndLastPiecesStay() {
         const auto shorter = withoutPoint(motion, 6);
         QVERIFY(shorter && shorter->points.size() == 4 && shorter->points.back() == motion.points[3]);
         QVERIFY(!withoutPoint(*shorter, 3));
-        QVERIFY(withoutPoint(motion, 2)->points.size() == 4);  // a direction stands for its joint
+        QCOMPARE(withoutPoint(motion, 2)->points.size(), std::size_t(4));  // a direction stands for its joint
     });
 }
 
@@ -123,12 +123,12 @@ void TestCurves::kindsFollowTheGeometry() {
         const auto points = chain<Dim>();
         QVERIFY(jointKinds(points) == std::vector<JointKind>(3, JointKind::Free));
         const auto aligned = withJointKind(points, 1, JointKind::Aligned);
-        QVERIFY(jointKinds(aligned)[1] == JointKind::Aligned);
+        QCOMPARE(jointKinds(aligned)[1], JointKind::Aligned);
         for (const int side : {2, 4})  // only turned
             QVERIFY(std::abs((aligned[side] - aligned[3]).norm() - (points[side] - points[3]).norm()) <
                     kRounding);
         const auto automatic = withJointKind(points, 1, JointKind::Automatic);
-        QVERIFY(jointKinds(automatic)[1] == JointKind::Automatic);
+        QCOMPARE(jointKinds(automatic)[1], JointKind::Automatic);
         QVERIFY(angleBetween<Dim>(automatic[4] - automatic[3], automatic[6] - automatic[0]) < kRounding);
         QVERIFY(withJointKind(points, 0, JointKind::Aligned) == points);
     });
@@ -162,7 +162,7 @@ void TestCurves::jointsTakeTheirDirectionsAlong() {
         const auto moved = withMovedPoint(points, jointKinds(points), 6, by);
         QVERIFY((moved[5] - points[5] - by).norm() < kRounding);
         QVERIFY(moved[3] == points[3]);
-        QVERIFY(jointKinds(moved)[1] == JointKind::Automatic);  // follows its neighbour
+        QCOMPARE(jointKinds(moved)[1], JointKind::Automatic);  // follows its neighbour
         QVERIFY(angleBetween<Dim>(moved[4] - moved[3], moved[6] - moved[0]) < kRounding);
     });
 }

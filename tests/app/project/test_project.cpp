@@ -511,7 +511,7 @@ class TestProject : public QObject {
                           "p.wend")
                  .project;
         project.design.material.layers[0].regions[0].shape = Box<3>{{0, 0, 0}, {1, 1, 0}};
-        QVERIFY(toJson(project).find("glow") == std::string::npos);
+        QCOMPARE(toJson(project).find("glow"), std::string::npos);
     }
 
     void badInput_data() {
@@ -738,7 +738,7 @@ class TestProject : public QObject {
                 again->frameRate == project.frameRate);
         const std::string plain = toJson(*parseProject(projectText(kImage), "p.wend").project);
         for (const char* key : {"frameRate", "cycle", "markers", "audio"})
-            QVERIFY(plain.find(key) == std::string::npos);
+            QCOMPARE(plain.find(key), std::string::npos);
     }
 
     /// In the order of time, with what another program has added to them.
@@ -854,7 +854,7 @@ class TestProject : public QObject {
         QVERIFY(readTextFile(base + "/kept.wend").find("\"group\": \"right\"") != std::string::npos);
         handle.at = std::vector<int>{0, 2};
         writeProject(base + "/moved.wend", *held);
-        QVERIFY(readTextFile(base + "/moved.wend").find("group") == std::string::npos);
+        QCOMPARE(readTextFile(base + "/moved.wend").find("group"), std::string::npos);
         auto listed = project("{'vertices': 'ids.txt'}");
         QCOMPARE(std::get<std::vector<int>>(designOf(*listed).handles[0].at), (std::vector<int>{3, 1, 2}));
         fs::create_directory(base + "/deeper");

@@ -81,7 +81,7 @@ class TestMeshTrust : public QObject {
         RunWatch watch;
         watch.notice = [this](const std::string& text) { m_notices.push_back(text); };
         watch.summary = [this](const std::string& text) { m_summary = text; };
-        QVERIFY(runProject(*project, file("p.wend"), options, watch).outcome == Outcome::Done);
+        QCOMPARE(runProject(*project, file("p.wend"), options, watch).outcome, Outcome::Done);
     }
 
     QTemporaryDir m_folder;
@@ -244,7 +244,7 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
     run(bend, outputs);
     const auto cells = sharedMeshFile(file("bent.msh"));
     const auto used = usedVertices<3>(pointsOf(*cells).cols(), tetrahedraOf(*cells));
-    QVERIFY(std::ranges::count(used, false) == 0);
+    QCOMPARE(std::ranges::count(used, false), std::ptrdiff_t(0));
     QVERIFY(pointsOf(*cells).cols() < torn.points.cols());
     const std::string table = readTextFile(file("bent.csv"));
     QCOMPARE(std::ranges::count(table, '\n') - 1, pointsOf(*cells).cols());

@@ -596,8 +596,8 @@ void TestParts::layersOfPhotoshop() {
         }
     options.outputs.image.resize(1);
     options.depth = PixelType::UInt16;
-    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome == Outcome::Done);
-    QVERIFY(readLayer(written, "bar").type == PixelType::UInt16);
+    QCOMPARE(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome, Outcome::Done);
+    QCOMPARE(readLayer(written, "bar").type, PixelType::UInt16);
     options.depth = PixelType::Half;
     QVERIFY_EXCEPTION_THROWN(runProject(*loaded.project, at("project.wend").toStdString(), options),
                              InputError);
@@ -618,7 +618,7 @@ void TestParts::partsAreChannels() {
     options.outputs.image = {at("parts.exr").toStdString()};
     options.outputs.stMap = {at("map.exr").toStdString()};
     options.backEnd = BackEndKind::Cpu;
-    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome == Outcome::Done);
+    QCOMPARE(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome, Outcome::Done);
     const auto value = [&](const char* file, const std::string& channel, int x, int y) {
         const auto input = OIIO::ImageInput::open(at(file).toStdString());
         const OIIO::ImageSpec spec = input->spec();

@@ -130,7 +130,7 @@ void TestRig::run(const std::vector<const char*>& names) const {
     options.outputs.count = kCount;
     options.outputs.framesPerSecond = kRate;
     options.backEnd = BackEndKind::Cpu;
-    QVERIFY(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome == Outcome::Done);
+    QCOMPARE(runProject(*loaded.project, at("project.wend").toStdString(), options).outcome, Outcome::Done);
 }
 
 bool TestRig::showsColour(const QJsonObject& mesh, const QImage& texture, QColor colour) const {

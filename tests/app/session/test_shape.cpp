@@ -226,7 +226,7 @@ class TestShape : public QObject {
             while (all.hasNext()) hidden += all.next().contains(QStringLiteral("/."));
             if (work == "deforming") atOnce = std::max(atOnce, hidden);
         };
-        QVERIFY(runProject(*project, base + "/p.wend", options, watch).outcome == Outcome::Done);
+        QCOMPARE(runProject(*project, base + "/p.wend", options, watch).outcome, Outcome::Done);
         QVERIFY(atOnce > (options.canvas.kind == Canvas::Fit ? 0 : 5));
         QCOMPARE(QDir(folder.path()).entryList({"f_?.png"}).size(), 9);
         QVERIFY(QDir(folder.path())

@@ -111,7 +111,7 @@ void TestBrushwork::joinLayers() {
     stroke<Dim>({-1, -0.2}, {-1, -0.2});
     QVERIFY(settle(session));
     QVERIFY(layers().size() == 6 && layers().back() == "Angle 1");
-    QVERIFY(list()->currentRow() == 0);
+    QCOMPARE(list()->currentRow(), 0);
     list()->item(0)->setCheckState(Qt::Unchecked);  // nobody would see it
     stroke<Dim>({-1, -0.2}, {-1, -0.2});
     QVERIFY(settle(session) && layers().back() == "Angle 2");
@@ -322,7 +322,7 @@ void TestBrushwork::labelValues() {
     const auto labels = panel.findChildren<QLabel*>();
     QVERIFY(std::ranges::any_of(labels,
                                 [](const QLabel* l) { return l->isVisible() && l->text() == "Direction"; }));
-    for (const auto* box : axis) QVERIFY(box->visibleRegion().boundingRect().width() == box->width());
+    for (const auto* box : axis) QCOMPARE(box->visibleRegion().boundingRect().width(), box->width());
     for (const auto* box : axis) QVERIFY(!box->isEnabled() && box->toolTip().contains(QStringLiteral("×1")));
     panel.findChild<QDoubleSpinBox*>(QStringLiteral("layerRatio"))->setValue(5);
     for (const auto* box : axis) QVERIFY(box->isEnabled() && !box->toolTip().contains(QStringLiteral("×1")));

@@ -572,13 +572,13 @@ void TestPainting::changeTip() {
     QTest::keyClick(&canvas, Qt::Key_BraceLeft, Qt::ShiftModifier);
     QVERIFY(std::abs(brush().now().hardness - hardness + 0.1) < 1e-9);
     QTest::keyClick(&canvas, Qt::Key_N);
-    QVERIFY(brush().now().target == BrushTarget::Direction);
+    QCOMPARE(brush().now().target, BrushTarget::Direction);
     QVERIFY(m_f->window().findChild<PaintPanel*>()->isVisible());
     auto* row = m_f->window().findChild<QToolBar*>(QStringLiteral("optionRow"));
     for (QToolButton* button : row->findChildren<QToolButton*>())
         if (button->text() == QStringLiteral("Keep")) QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(m_f->tool("paint")->isChecked());
-    QVERIFY(brush().now().target == BrushTarget::Keep);
+    QCOMPARE(brush().now().target, BrushTarget::Keep);
 }
 
 void TestPainting::keysChooseAStop() {
@@ -604,7 +604,7 @@ void TestPainting::chooseStops() {
             m_f->tool(tool)->trigger();
             press(stop);
             QCOMPARE(brush().now().phi, phis[static_cast<std::size_t>(stop)]);
-            QVERIFY(brush().now().target == BrushTarget::Keep);
+            QCOMPARE(brush().now().target, BrushTarget::Keep);
             QVERIFY2(m_f->tool("paint")->isChecked(), tool);
         }
     m_f->tool("gradient")->trigger();
@@ -647,7 +647,7 @@ void TestPainting::dragTip() {
     const QImage circle = seen();
     QVERIFY(circle.pixel(at + QPoint(65, 0)) != QColor(Qt::white).rgb());
     QVERIFY(circle.pixel(at - QPoint(65, 0)) != QColor(Qt::white).rgb());
-    QVERIFY(circle.pixel(at + QPoint(90, 0)) == QColor(Qt::white).rgb());  // the pointer's own place has none
+    QCOMPARE(circle.pixel(at + QPoint(90, 0)), QColor(Qt::white).rgb());  // the pointer's own place has none
     QVERIFY(canvas.viewport().tool()->hint().contains(QStringLiteral("larger")));
     QTest::keyClick(&canvas, Qt::Key_Escape);
     QVERIFY(brush().now().radius == 40 && brush().now().hardness == 0.5);

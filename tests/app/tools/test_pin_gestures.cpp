@@ -556,8 +556,8 @@ void TestPinGestures::arrowsFollowTheScreen() {
     file.close();
     QVERIFY(m_f->openFile(path));
     QCOMPARE(session().document().dimension(), 2);
-    QVERIFY(session().addPin(Vec3(0.5, 0.5, 0)) == 0);
-    QVERIFY(session().addPin(Vec3(0.1, 0.1, 0)) == 1);
+    QCOMPARE(session().addPin(Vec3(0.5, 0.5, 0)), 0);
+    QCOMPARE(session().addPin(Vec3(0.1, 0.1, 0)), 1);
     m_f->tool("select")->trigger();
     QVERIFY(settle(session()));
     const QPointF before = m_f->window().canvas().toWidget(pin<2>(1));

@@ -132,7 +132,7 @@ void TestSpaceTools::curveKindsByMenuAndShortcut() {
     QVERIFY(curve()[4] == before[4] && curve()[2] != before[2]);
     actions.automatic->trigger();
     QVERIFY(settle(m_f->session()));
-    QVERIFY(jointKinds(curve())[1] == JointKind::Automatic);
+    QCOMPARE(jointKinds(curve())[1], JointKind::Automatic);
 }
 
 void TestSpaceTools::rightClickOpensTheCurvesMenu() {

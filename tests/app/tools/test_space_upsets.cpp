@@ -249,7 +249,7 @@ void TestSpaceUpsets::untouchedNumbersKeepTheirDigits() {
     auto* frame = m_f->window().findChild<QComboBox*>(QStringLiteral("curveFrame"));
     frame->setFocus();
     QTest::keyClick(frame, Qt::Key_Up);
-    QVERIFY(lastCurve(m_f->session().document().design(), 1)->frame == FrameKind::Frenet);
+    QCOMPARE(lastCurve(m_f->session().document().design(), 1)->frame, FrameKind::Frenet);
     QCOMPARE(lastCurve(m_f->session().document().design(), 1)->scale, 0.0123456);
     QCOMPARE(lastCurve(m_f->session().document().design(), 1)->twist, 0.123456789);
     QVERIFY(settle(m_f->session()));

@@ -291,7 +291,7 @@ void TestWindowPins::curvesAreEdited() {
     for (int i = 0; i < 2; ++i) QTest::keyClick(frame, Qt::Key_Down);
     QVERIFY(settle(m_window->session()));
     const auto motion = [&] { return *lastCurve(m_window->session().document().design(), 1); };
-    QVERIFY(motion().frame == FrameKind::Minimal);
+    QCOMPARE(motion().frame, FrameKind::Minimal);
     for (QDoubleSpinBox* box : panel->findChildren<QDoubleSpinBox*>())
         if (box->isVisible()) box->setValue(1.2);
     QVERIFY(settle(m_window->session()));

@@ -535,7 +535,7 @@ void TestExportDialog::softEdgesAtRestAreTheSourcesOwn() {
         }
     image.save(file("soft.png"));
     open(file("soft.png"));
-    QVERIFY(session().document().domain().outline == OutlineKind::Alpha);
+    QCOMPARE(session().document().domain().outline, OutlineKind::Alpha);
     QVERIFY(written(ExportKind::Picture, file("rest.png"), {}));
     const QImage rest = QImage(file("rest.png")).convertToFormat(QImage::Format_ARGB32);
     int off = 0;

@@ -286,7 +286,7 @@ void TestFilmTask::checkFilm(const QString& path) {
                                    .toObject();
     QCOMPARE(stream["codec_name"].toString(), QStringLiteral("h264"));
     const int width = stream["width"].toInt();
-    QVERIFY(std::abs(width - kWidth) == 1);
+    QCOMPARE(std::abs(width - kWidth), 1);
     QCOMPARE(stream["height"].toInt() % 2, 0);
     QCOMPARE(stream["avg_frame_rate"].toString(), QStringLiteral("12/1"));
     const int count = qRound((to - from) * kRate);

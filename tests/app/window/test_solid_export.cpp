@@ -395,8 +395,8 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     const QRect card = QRectF(QPointF(800, 600) - scale * QPointF(228, 68), scale * QSizeF(216, 56)).toRect();
     const QPoint inside = card.center();
     QVERIFY(qAlpha(bare.pixel(inside)) == 0 && qAlpha(legend.pixel(inside)) > 200);
-    QVERIFY(qAlpha(legend.pixel(card.topLeft() - QPoint(3, 3))) == 0);
-    QVERIFY(qAlpha(legend.pixel(60, 32)) == 0);
+    QCOMPARE(qAlpha(legend.pixel(card.topLeft() - QPoint(3, 3))), 0);
+    QCOMPARE(qAlpha(legend.pixel(60, 32)), 0);
     choice.legend = false;
     choice.marks = true;
     const QImage marks = viewPicture(canvas, choice);

@@ -495,7 +495,7 @@ void TestVolumeView::viewMovesToAnotherWindow() {
     view->setParent(&second);
     view->show();
     QTRY_VERIFY_WITH_TIMEOUT(view->grabFramebuffer() == before, 20000);
-    QVERIFY(view->picture({64, 64}, true).pixelColor(32, 32).alpha() == 255);
+    QCOMPARE(view->picture({64, 64}, true).pixelColor(32, 32).alpha(), 255);
 }
 
 void TestVolumeView::missingPicturesAreToldOnce() {
@@ -759,7 +759,7 @@ void TestVolumeView::markedTrianglesShineThrough() {
     QVERIFY(QTest::qWaitForWindowExposed(&view, 20000));
     const auto colour = [&](double x) { return at(view.grabFramebuffer(), view, {x, 0, -0.2}); };
     const QColor plain = colour(1);
-    QVERIFY(plain.red() == plain.green());
+    QCOMPARE(plain.red(), plain.green());
     picture.marked = {1};
     view.setPicture(picture, false);
     const QColor marked = colour(1);

@@ -536,7 +536,7 @@ void TestWindow::lineArtIsFilled() {
         area += std::abs(cellMeasure<2>(frame->rest->points, cell));
     QVERIFY(area > 3.14 * 70 * 70);
     m_window->session().document().undoStack()->undo();
-    QVERIFY(document.domain().alpha.holes == OutlineHoles::Kept);
+    QCOMPARE(document.domain().alpha.holes, OutlineHoles::Kept);
 }
 
 /// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
