@@ -1,4 +1,4 @@
-// What is wrong with the pose that is shown: told, marked and found, of solids and in the plane.
+// Faults of the shown pose are reported, marked and found, in solids and in the plane.
 #include <QToolButton>
 
 #include "app/panels/distortion_panel.h"
@@ -51,7 +51,7 @@ SimplicialMesh<Dim> body() {
         return barMesh(2);
 }
 
-/// Beside it the same once more, 8 to the right.
+/// Returns the mesh with a copy of itself, 8 to the right.
 template <int Dim>
 SimplicialMesh<Dim> pair() {
     SimplicialMesh<Dim> mesh = body<Dim>();
@@ -67,7 +67,7 @@ SimplicialMesh<Dim> pair() {
 
 }  // namespace
 
-/// The first holds still, the second moves.
+/// Returns handles of which the first holds still and the second moves.
 template <int Dim>
 bool TestPoseWatch::open(const std::string& motion) {
     const char* name = Dim == 2 ? "pair.obj" : "pair.mesh";
@@ -86,7 +86,7 @@ bool TestPoseWatch::open(const std::string& motion) {
            settle(m_f->session());
 }
 
-/// Towards the colour of what is wrong, whatever the light.
+/// Returns how far a pixel is towards the colour of faults, in any light.
 template <int Dim>
 int TestPoseWatch::redPixels() {
     QImage image;
@@ -106,7 +106,7 @@ int TestPoseWatch::redPixels() {
     return count;
 }
 
-/// A corner of the second body goes into the first: one place of a solid, two points of an outline.
+/// A corner of the second body enters the first: one place of a solid, two points of an outline.
 template <int Dim>
 void TestPoseWatch::placesAreToldMarkedAndSeen() {
     QVERIFY(open<Dim>(Dim == 2 ? "{'kind': 'translate', 'by': [-7.13, 0.71]}"
@@ -154,7 +154,7 @@ void TestPoseWatch::whatBlowsUpIsTold() {
     QVERIFY(redPixels<Dim>() > plain + 1000);
 }
 
-/// Neither while it is dragged nor while it plays.
+/// No fault is reported while the shape is dragged or plays.
 void TestPoseWatch::nothingIsKnownOfWhatMoves() {
     QVERIFY(open<2>("{'kind': 'translate', 'by': [-7.13, 0.71]}"));
     QVERIFY(isKnown("crossings"));
