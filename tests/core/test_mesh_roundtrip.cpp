@@ -140,7 +140,7 @@ class TestMeshRoundtrip : public QObject {
         if (encoding.fields) QVERIFY(find(back, "ref")->values == file.fields[0].values);
     }
 
-    /// So are their labels, and their names in Gmsh's files.
+    /// The labels of boundaries are kept, and their names in Gmsh's files.
     void labels_data() { allFormats(true); }
     void labels() {
         QFETCH(Encoding, encoding);

@@ -79,7 +79,7 @@ void change(std::string& bytes, Random& random) {
     if (bytes.empty()) bytes = "x";
 }
 
-/// Else nothing behind the checksums would ever be reached.
+/// Without valid checksums the code behind them would never be reached.
 void mendPngChecksums(std::string& bytes) {
     const auto word = [&](std::size_t at) {
         std::uint32_t value = 0;
