@@ -166,7 +166,7 @@ void TestArchitecture::coreKnowsNoQtAndNoOpenCl() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
 }
 
-/// What libwend installs includes nothing but itself and the standard library.
+/// Headers that libwend installs include only one another and the standard library.
 void TestArchitecture::installedHeadersStandAlone() {
     static const QRegularExpression own(QStringLiteral("^(wend/[a-z_]+\\.h|[a-z_]+)$"));
     const QList<Include> includes = includesBelow("api/wend");

@@ -147,7 +147,7 @@ void stepsEndBeforeCellsAreFlat() {
     QVERIFY(shortened > 5);
 }
 
-/// The gradient of W without what the ends hold, in the frame where the shape has size 1.
+/// The gradient of W without the part that the ends hold, in the frame where the shape has size 1.
 template <int Dim>
 double forceOf(const Bend<Dim>& bend, const Points<Dim>& shape) {
     const double size = shapeSize<Dim>(bend.mesh->points, bend.mesh->cells).size;

@@ -1,5 +1,5 @@
-// Memory of the rest shape and settling: the energy of the map from rest, its gradient, and what the flow
-// makes of them, one body for 2D and 3D.
+// Memory of the rest shape and settling: the energy of the map from rest, its gradient, and their effect on
+// the flow, one body for 2D and 3D.
 #include <Eigen/Dense>
 #include <QTest>
 

@@ -186,7 +186,7 @@ class TestMeshDamage : public QObject {
         }
     }
 
-    /// What a header says is never allocated before the file can hold it.
+    /// No size from a header is allocated unless the file can hold it.
     void absurdCounts_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("bytes");

@@ -65,8 +65,7 @@ void findsRandomPoints() {
     QVERIFY(inside > 50 && outside > 50);
 }
 
-/// At vertices, and at the midpoints of edges and facets, rounding must not make points fall between two
-/// cells.
+/// Rounding must not make points fall between two cells at vertices, or at the midpoints of edges and facets.
 template <int Dim>
 void findsPointsOnFacets(double offset) {
     auto mesh = samples::jitteredGrid<Dim>(Dim == 2 ? 10 : 4);

@@ -175,7 +175,7 @@ class TestMeshRoundtrip : public QObject {
             QVERIFY(samples::sameBits(file.points, back.points));
     }
 
-    /// A user's locale with a decimal comma changes neither what is written nor what is read.
+    /// A user's locale with a decimal comma changes neither writing nor reading.
     void locale_data() { allFormats(false); }
     void locale() {
         QFETCH(Encoding, encoding);

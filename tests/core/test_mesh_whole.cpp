@@ -44,7 +44,7 @@ std::string reasonOf(const std::string& name, const std::string& text) {
     return {};
 }
 
-/// The letter L of area 5, a star around a corner that sees all of it only from another one than the first,
+/// The letter L of area 5, a star-shaped polygon that is visible from another corner than the first,
 /// and a comb.
 const std::string kPoints = "0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n";
 

@@ -217,8 +217,8 @@ class TestPlanarMesher : public QObject {
         QVERIFY(std::abs(sum / static_cast<double>(facets.size()) - 20) < 2);
     }
 
-    /// On a square without features all triangles have a like size: circumradii within the bound, edges not
-    /// below half of the mean.
+    /// All triangles of a square without features have a similar size: circumradii within the bound, edges
+    /// not below half of the mean.
     void sizeIsEven() {
         const auto mesh = meshOutline({{rectangle(0, 0, 1000, 1000)}}, {});
         double shortest = 1e300, longest = 0;

@@ -186,8 +186,8 @@ class TestStops : public QObject {
         QCOMPARE(invertedElsewhere<Dim>(press.mesh, deformer.state().points), 0);
     }
 
-    /// Whatever stops the run, and wherever the shape is, the last state and every frame before have no cell
-    /// that is inverted or flat in any arithmetic.
+    /// No last state or frame before it has a cell that is inverted or flat in any arithmetic, whatever stops
+    /// the run and wherever the shape is.
     template <int Dim>
     void nothingInvertedIsHandedOut() {
         QFETCH(double, offset);

@@ -218,7 +218,7 @@ class TestWelds : public QObject {
         make();
     }
 
-    /// If parts overlap, a handle takes the frontmost one, or the one that it names.
+    /// A handle takes the frontmost of overlapping parts, or the one that it names.
     void handlesFindTheirPart() {
         const Mesh mesh = bodyAndLimb(kAt);
         const auto vertexOf = [&](const char* part) {

@@ -69,7 +69,7 @@ void TestWorkerPool::stoppedLoopsEnd() {
     }
 }
 
-/// Each loop reports its share of the rest in hundredths.
+/// Each measured loop covers its share of the remaining progress and reports it in hundredths.
 void TestWorkerPool::measuredLoopsTell() {
     for (const int threads : {1, 2}) {
         WorkerPool pool(threads);

@@ -203,7 +203,7 @@ void checkIterations() {
     // Of a run of iterations the last one needs no product, as a rule.
     QVERIFY(products < static_cast<std::size_t>(counts.solverIterations) + evaluations);
     const std::size_t up = counts.copied.toDevice - before.toDevice - bending.massRegularization();
-    // A shape ahead is set, and goes up again for the distances from it.
+    // A shape ahead is set, and is copied up again for the distances from it.
     const std::size_t ahead = 2 * bending.calls.shapes;
     QCOMPARE(up, vector * (products + 4 * steps + steps + 1 + ahead));
     const std::size_t down = counts.copied.fromDevice - before.fromDevice;
@@ -392,7 +392,7 @@ void TestOpenClStages::aDeviceIsLostAnywhere_data() {
     QTest::newRow("Adams") << int(Method::Adams);
 }
 
-/// After any number of calls, in any of them, the device is lost: the run continues from the same numbers to
+/// The device is lost after any number of calls, in any of them: the run continues from the same numbers to
 /// the same result.
 void TestOpenClStages::aDeviceIsLostAnywhere() {
     QFETCH(int, method);

@@ -38,7 +38,7 @@ class RandomHand {
         m_closing.start(100);  // a button's menu keeps the hand until it is closed
     }
 
-    /// Does one action. Prints its name to standard error if `tells`.
+    /// Does one action; if `tells`, prints its name to standard error.
     void act(bool tells) {
         m_tells = tells;
         closePopup();

@@ -164,8 +164,8 @@ class TestImage : public QObject {
     std::string path(const QString& name) const { return m_folder.filePath(name).toStdString(); }
 
   private slots:
-    /// The picture is large enough for large pages, whose borders are within it; the second one reuses the
-    /// memory of the first.
+    /// The picture is large enough for large pages, whose borders are within it; the second call overwrites
+    /// the old pixels.
     void madePixelsAreZero() {
         Image image{1500, 1100, 4, PixelType::Float, true, false, {}, nullptr};
         for (int i = 0; i < 2; ++i) {
@@ -365,7 +365,7 @@ class TestImage : public QObject {
         }
     }
 
-    /// Numbers, several of them, texts and several of those: what is packed is unpacked.
+    /// Numbers, lists of them, texts and lists of those are unpacked as they were packed.
     void descriptionIsPacked() {
         OIIO::ImageSpec spec(640, 480, 3, OIIO::TypeDesc::UINT8);
         spec.x = -3, spec.full_y = 7, spec.full_width = 700;
@@ -625,7 +625,7 @@ class TestImage : public QObject {
         QVERIFY(!QFile::exists(m_folder.filePath("smaller.jp2")));
     }
 
-    /// A line drawing of few colours is packed a second time, beyond what deflate does.
+    /// A line drawing of few colours is packed a second time, beyond deflate.
     void packedPixelsAreRead_data() {
         QTest::addColumn<int>("format");
         QTest::newRow("1 bit gray") << int(QImage::Format_Mono);
@@ -672,7 +672,7 @@ class TestImage : public QObject {
         QVERIFY(readImage(path("c.png")).data == read.data);
     }
 
-    /// Crop windows near the ends of what 32 bits hold: sums of places and rows would begin again below zero.
+    /// Crop windows are near the limits of 32 bits: sums of places and rows would overflow.
     void farAwayIsRefused_data() {
         QTest::addColumn<QString>("extension");
         QTest::addColumn<int>("x");

@@ -525,7 +525,7 @@ void TestLayeredFiles::lzf() {
     QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 4), InputError);      // fewer
 }
 
-/// Whatever fault the tiles of a layer have, they are read or refused. The zip archive around them has
+/// Damaged tiles of a layer are read or refused, whatever the fault. The zip archive around them has
 /// checksums, which a deliberately made file has, too.
 void TestLayeredFiles::damagedTiles() {
     const std::string head = "VERSION 2\nTILEWIDTH 4\nTILEHEIGHT 3\nPIXELSIZE 2\nDATA 2\n";

@@ -34,7 +34,7 @@ struct Entry {
 constexpr Entry kTurned{0x112, 3, 1, 6};
 constexpr quint32 kDirectory = 8;  // where the first one begins
 
-/// A TIFF of one directory and what follows it.
+/// Returns a TIFF of one directory and the given data behind it.
 QByteArray tiff(bool big, const QList<Entry>& entries, const QByteArray& after = QByteArray(16, '\0')) {
     QByteArray bytes(big ? "MM" : "II");
     bytes += number<quint16>(42, big) + number<quint32>(kDirectory, big);

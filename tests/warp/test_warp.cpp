@@ -332,7 +332,7 @@ void TestWarp::partsAreLaidOverOneAnother() {
         for (int x = 0; x < 40; ++x)
             for (float value : pixel(x < 20 ? upper : lower)) row.push_back(value);
         for (int y = 0; y < 20; ++y) storeRow(source, y, row.data());
-        // What the number type made of the two colours, associated.
+        // The two colours as the number type stores them, associated.
         loadRow(source, 0, row.data());
         const auto held = [&](int x) {
             Eigen::ArrayXd colour(channels);
@@ -433,8 +433,8 @@ void TestWarp::greyPicturesTakeColours_data() {
         for (int channels : {1, 2}) QTest::addRow("type %d channels %d", type, channels) << type << channels;
 }
 
-/// Blue around grey: the picture gets colours, and its own pixels stay what they were. Grey around grey does
-/// not.
+/// A picture of grey with blue around it gets colours, and its own pixels stay as they were; one with grey
+/// around it does not.
 void TestWarp::greyPicturesTakeColours() {
     QFETCH(int, type);
     QFETCH(int, channels);

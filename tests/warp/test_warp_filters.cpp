@@ -347,7 +347,7 @@ void TestWarpFilters::integerEdgesKeepTheirColour() {
         }
 }
 
-/// A glow without coverage, beside what covers.
+/// A glow without coverage is beside covered pixels.
 void TestWarpFilters::lightWithoutAlphaSurvives() {
     const Image source = numbers(PixelType::Half, 4, true, [](int x, int y) {
         if (x > 40) return Rgba{0.25F, 0.25F, 0.25F, 1};

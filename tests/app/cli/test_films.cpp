@@ -372,9 +372,9 @@ void TestFilms::cycleIsWhatLoops() {
     QCOMPARE(probe(file("all.png")).frames, 21);
 }
 
-/// In the sample's walk of 24 frames the first follows the last as any other follows its predecessor. At the
-/// end every vertex is where it began; hands swing against the feet of their side, and the two sides are half
-/// a cycle apart.
+/// The first of the 24 frames of the sample's walk follows the last as any other follows its predecessor. At
+/// the end every vertex is where it began; hands swing against the feet of their side, and the two sides are
+/// half a cycle apart.
 void TestFilms::walkerWalksOn() {
     const QString walker = QStringLiteral(WEND_SOURCE_DIR "/resources/samples/walker.wend");
     succeed({"run", walker, "--frames", "walk_##.obj", "--count", "25", "--quiet"});

@@ -243,7 +243,7 @@ void TestPartList::canvasIsTheExport() {
     QVERIFY(colours.contains(both));
 }
 
-/// Without a mode in the layer's file the part is Normal; the project may override either.
+/// A part is Normal unless its layer's file gives another mode; the project may override either.
 void TestPartList::partIsBlended() {
     auto* blend = panel().findChild<QComboBox*>("partBlend");
     list().setCurrentRow(1);
@@ -296,7 +296,7 @@ void TestPartList::picturesOpenTogether() {
     QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
 }
 
-/// The settings change the part that is chosen in the list, until all have the same again.
+/// The outline settings are those of the part chosen in the list, until it shares those of all parts again.
 void TestPartList::partsHaveTheirOutlines() {
     QVERIFY(settle(m_f->session()));
     MeshPanel& mesh = m_f->window().properties().mesh();
@@ -339,7 +339,7 @@ void TestPartList::partsHaveTheirOutlines() {
     QCOMPARE(whose->currentIndex(), 0);
 }
 
-/// With Ctrl the lasso takes the right half away from the chosen part, and from no other.
+/// The lasso with Ctrl takes the right half away from the chosen part, and from no other.
 void TestPartList::outlinesOfPartsAreDrawn() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -368,7 +368,7 @@ void TestPartList::outlinesOfPartsAreDrawn() {
     QVERIFY(bar > 155);
 }
 
-/// The order can be set at an earlier time and again at a later one.
+/// Pictures before and after the change show which part is in front.
 void TestPartList::orderChangesFromHere() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
@@ -641,7 +641,7 @@ void TestPartList::renamedPartIsCut() {
     QVERIFY(settle(session));
 }
 
-/// After a part was made, the note says that the ground is being filled; after a rename it does not.
+/// The note about a new part says that the ground is being filled; one after a rename does not.
 void TestPartList::noteNamesTheFilling() {
     QVERIFY(canInpaint());
     const QString path = m_folder.filePath("meadow.png");

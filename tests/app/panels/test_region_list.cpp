@@ -89,8 +89,8 @@ bool TestRegionList::brush(double fromU, double toU) {
     return settle(m_f->session());
 }
 
-/// In a file, consecutive regions of one name and value are a layer; those without a name are layers of their
-/// own. A name that is taken gets a number.
+/// Consecutive regions of a file with one name and value are a layer; those without a name are layers of
+/// their own. A name that is taken gets a number.
 void TestRegionList::layersOfAFile() {
     QJsonArray list;
     const auto add = [&](const char* name, double order) {

@@ -226,7 +226,7 @@ void TestCommands::earlierStrokesReplaceTheirOwn() {
     QCOMPARE(handlesOf(withGesture(project, gesture, {{0, 5, 0}}))[0].motions.size(), std::size_t(1));
 }
 
-/// Where a handle cannot go further, the rest of its motions is removed, too, whichever handle is dragged.
+/// The rest of a handle's motions is removed where it cannot go further, whichever handle is dragged.
 void TestCommands::strokesThatEndAllReplaceAll() {
     Project project = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     project = withStroke(project, {1}, {{10, 5, 0}}, {{0, 0, 0}, {0, 10, 0}});

@@ -376,7 +376,7 @@ class TestProject : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': 3, "));
     }
 
-    /// If a mesh cannot be opened, the number of coordinates gives the dimension.
+    /// The number of coordinates gives the dimension if a mesh cannot be opened.
     void dimensionFromCoordinates() {
         const std::string head = "'domain': {'mesh': 'missing.msh'}, 'handles': [{'at': {'points':";
         QCOMPARE(dimensionOf(*parseProject(projectText(head + "[[1, 2]]}}]"), "p.wend").project), 2);

@@ -130,7 +130,7 @@ class TestProjectSaved : public QObject {
         QVERIFY(!Json::parse(toJson(*parseProject(text, "p.wend").project)).contains("view"));
     }
 
-    /// In a project saved in another folder, every path still names the same file.
+    /// Every path of a project that is saved in another folder still names the same file.
     void everyFileIsNamedFromTheNewFolder() {
         QTemporaryDir folder;
         const fs::path base = folder.path().toStdString();

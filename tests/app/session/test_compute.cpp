@@ -546,8 +546,7 @@ void TestCompute::firstMeshIsCancelled() {
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
 }
 
-/// If a change comes before the first motion is complete, cancelling affects only the motion and leaves the
-/// mesh.
+/// A change before the first motion is complete leaves the mesh as it is: cancelling affects only the motion.
 void TestCompute::firstMotionIsCancelled() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     auto project = copyOf(*file.project);
@@ -788,7 +787,7 @@ void TestCompute::nothingOutlivesItsDocument() {
     QCOMPARE(m_session->motion().frame() == nullptr, closes);
 }
 
-/// After closing nothing is computed, and no signal is emitted.
+/// Nothing is computed and no signal is emitted after closing.
 void TestCompute::closingEndsTheWork() {
     open();
     m_session->addPin({40, 80, 0});

@@ -655,7 +655,7 @@ void TestFilm::rulerIsScrubbed() {
     QTest::mouseRelease(area, Qt::LeftButton, {}, at(2.5));
     QTest::mouseMove(area, at(1));
     QVERIFY(std::abs(session().playback().time() - 2.5) < 4 / span());
-    // A click on the slider below goes to the same time.
+    // A click on the slider below shows the same time.
     QSlider* slider = m_window->window().findChild<TimeStrip*>()->slider();
     for (const double time : {0.0, 1.0, 2.3, 4.0}) {
         const QPoint below = slider->mapFromGlobal(area->mapToGlobal(at(time)));
@@ -664,7 +664,7 @@ void TestFilm::rulerIsScrubbed() {
     }
 }
 
-/// When a film is opened, the moving pins are in view, however many others come before them.
+/// The moving pins are in view when a film is opened, however many others come before them.
 void TestFilm::filmsBeginWithWhatMoves() {
     open(2);
     for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80, 0});

@@ -348,7 +348,7 @@ void TestParts::ridersFollow() {
     QVERIFY(isNear(pixelOf(image, 28, 10), kNothing));  // where it was
 }
 
-/// At rest a cut is invisible, whatever its feather; once moved, it leaves a hole.
+/// A cut is invisible at rest, whatever its feather; once moved, it leaves a hole.
 void TestParts::cutsBecomeParts() {
     const std::string parts = R"({"name": "piece", "cut": {"from": "board", "feather": 3,
                                   "polygons": [[[20, 20], [50, 20], [50, 40], [20, 40]]]}},

@@ -397,7 +397,7 @@ void TestTracks::menuOfABarSimplifies() {
     QVERIFY((placeAt(2, 1.5) - Vec2(15, 15)).norm() < 1e-9);
 }
 
-/// A second drag of the same pin at the end corrects the move; with Keep the Path it goes on.
+/// A second drag of the same pin at the end corrects the move; with Keep the Path it continues the path.
 void TestTracks::dragAtTheEndIsCorrected() {
     QVERIFY(m_window->window().actions().poseHere->isChecked());
     const auto dragPin = [&](const QPoint& by) {

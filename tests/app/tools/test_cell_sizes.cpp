@@ -89,7 +89,7 @@ double TestCellSizes::meanSize(bool right) {
     return sum / count;
 }
 
-/// Strokes and regions are layers on top, with names of their own, in place of what they cover.
+/// Strokes and regions are layers on top, with names of their own, and replace the layers that they cover.
 void TestCellSizes::strokesAreLayers() {
     ValueLayers sizes = {layerWith("", 2, Ball<3>{Vec3::Zero(), 1}),
                          layerWith("", 3, Ball<3>{Vec3::Ones(), 1})};

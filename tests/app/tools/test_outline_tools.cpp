@@ -308,7 +308,7 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
     QCOMPARE(steps(), 1);
     QVERIFY(settle(*m_session));
     verify(disc, edge);
-    // Another click is another step, and what was clicked before stays as it is now.
+    // Another click is another step, and the result of the earlier click stays as it is.
     m_pen.set({OutlineUse::Add, 20, 0.12});
     const double kept = areaOf(domain().polygons);
     click(35, 35);

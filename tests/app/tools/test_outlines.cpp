@@ -88,7 +88,7 @@ class TestOutlines : public QObject {
     Q_OBJECT
 
   private slots:
-    /// For a wave of ±a degrees from vertex to vertex plus a smooth bend, the measure is that of the wave.
+    /// The measure of a wave of ±a degrees from vertex to vertex plus a smooth bend is that of the wave.
     void measure() {
         constexpr int kCount = 400;
         SimplicialMesh<2> disc;

@@ -459,7 +459,8 @@ void TestPins::keysSetPins() {
     BOTH(setByKeys);
 }
 
-/// With nothing selected the cursor begins in the middle of the shape and moves five pixels with each press.
+/// The cursor begins in the middle of the shape if nothing is selected, and moves five pixels with each
+/// press.
 template <int Dim>
 void TestPins::setByKeys() {
     QVERIFY(Bar<Dim>::open(*m_f));

@@ -181,7 +181,7 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     m_f->picture(QStringLiteral("frames"));
 }
 
-/// Of the manipulators of the cut and of the selection one is shown: in the step in which solids are cut the
+/// One manipulator is shown, that of the cut or of the selection: in the step in which solids are cut the
 /// cut's, elsewhere that of the tool, or the cut's if the tool has none.
 void TestSpaceTools::oneManipulatorIsShown() {
     QVERIFY(m_f->holdEnds());

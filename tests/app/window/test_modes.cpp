@@ -104,7 +104,7 @@ void TestModes::stepsHaveTheirToolsAndPanels_data() {
     pictureAndSolid();
 }
 
-/// The keys and the row of steps agree. The panel of energies is there wherever the shape is changed.
+/// The keys and the row of steps agree. The Keep panel is there wherever the shape is changed.
 void TestModes::stepsHaveTheirToolsAndPanels() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -297,7 +297,7 @@ void TestModes::numbersOfTheOutlineAreOfPictures() {
     }
 }
 
-/// On the smallest usual screen the energies and the step's main panel are in view.
+/// The Keep panel and the step's main panel are in view on the smallest usual screen.
 void TestModes::nothingIsBelowTheFold() {
     QFETCH(bool, solid);
     m_f->window().resize(1366, 768);

@@ -57,8 +57,8 @@ bool TestPropertiesRail::isInView(const QWidget& widget) {
            window.contains(QRect(widget.mapToGlobal(QPoint()), widget.size()));
 }
 
-/// The rail is 44 pixels wide, with a button for the energies first; a click opens the properties beside it,
-/// over the view.
+/// The rail is 44 pixels wide, with a button for Keep first; a click opens the properties beside it, over the
+/// view.
 void TestPropertiesRail::narrowWindowsHaveARail() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));

@@ -182,8 +182,8 @@ void TestSolidView::upAxisIsUndone() {
     QVERIFY(onScreen(2).y() > 50 && std::abs(onScreen(2).x()) < 1);
 }
 
-/// For any up axis: the front and the sides have it upright, the top view along the line of sight, and a
-/// rotated view keeps it upright.
+/// The views follow any up axis: the front and the sides have it upright, the top view along the line of
+/// sight, and a rotated view keeps it upright.
 void TestSolidView::sidesGoByTheUpAxis() {
     using Axis = Camera::Axis;
     SolidCanvas& canvas = m_f->canvas();

@@ -342,7 +342,7 @@ void TestWindow::closingAsks() {
     QVERIFY(m_window->close());
 }
 
-/// If a pin has returned or the film loops, and the shape would not be back, one click makes it so.
+/// One click makes the shape spring back if it would not although a pin has returned or the film loops.
 void TestWindow::springingBackIsOffered() {
     open();
     QVERIFY(bend());
