@@ -202,7 +202,7 @@ class TestDragFlow : public QObject {
     void lonePinsCarryTheShape3() { lonePinsCarryTheShape<3>(); }
     /// A pause of a second would be visible: the factor of a large solid is reused as long as it works at
     /// all.
-    void dearFactorsWait() {
+    void expensiveFactorsAreReused() {
         const Bend<3> bend(40, 12, 4, 0);
         auto flow = flowOf(bend);
         QCOMPARE(flow.statistics().factorizations, 1);

@@ -14,7 +14,7 @@ class TestLimbOrder : public QObject {
   private slots:
     void armsLieOverTheBody_data();
     void armsLieOverTheBody();
-    void whatReachesFartherLiesInFront();
+    void fartherReachingCellsAreInFront();
     void bumpsAreNoLimbs();
     void limbsOfFiguresLieWhole_data();
     void limbsOfFiguresLieWhole();
@@ -135,7 +135,7 @@ void TestLimbOrder::armsLieOverTheBody() {
 }
 
 /// The order follows the distance along half a strip.
-void TestLimbOrder::whatReachesFartherLiesInFront() {
+void TestLimbOrder::fartherReachingCellsAreInFront() {
     QString marks;
     const SimplicialMesh<2> mesh = drawn({QString(41, 's'), QString(41, 's'), QString(41, 's')}, marks);
     const std::vector<int> order = limbOrder(mesh);

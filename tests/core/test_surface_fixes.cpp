@@ -85,11 +85,11 @@ class TestSurfaceFixes : public QObject {
     void oneHoleIsFilledAndTheOtherStays();
     void numbersStayWhatTheyAre();
     void soupIsFilledToo();
-    void whatHangsAloneGoes();
+    void loosePiecesAreRemoved();
     void fillingThatHelpsNothingIsNotOffered();
     void slitIsFilledWithTheTriangleBesideIt();
     void slitsAreRepaired();
-    void whatBreaksOffGoesToo();
+    void detachedPiecesAreRemovedToo();
     void partThatIsTurnedOver();
     void bandHasOneSide();
     void crossingGoes();
@@ -155,7 +155,7 @@ void TestSurfaceFixes::soupIsFilledToo() {
     QVERIFY(fixed(soup, done).points.leftCols(soup.vertexCount()) == soup.points);
 }
 
-void TestSurfaceFixes::whatHangsAloneGoes() {
+void TestSurfaceFixes::loosePiecesAreRemoved() {
     Surface surface = kBox;
     surface.points.conservativeResize(Eigen::NoChange, surface.vertexCount() + 2);
     surface.points.rightCols(2) << -1, -2, -1, -1, -1, -1;
@@ -238,7 +238,7 @@ Surface withNeedle() {
 }
 
 /// A piece that was attached only by crossing triangles does not remain as a part of its own.
-void TestSurfaceFixes::whatBreaksOffGoesToo() {
+void TestSurfaceFixes::detachedPiecesAreRemovedToo() {
     const Surface surface = withNeedle();
     QCOMPARE(factsOf(surface).parts, 2);
     const auto cases = casesOf(surface, "crossing");

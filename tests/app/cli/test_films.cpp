@@ -167,8 +167,8 @@ class TestFilms : public QObject {
     void filesMayNotGrow();
     void filmIsCancelled();
     void versionIsTold();
-    void whatCannotBeIsRefused_data();
-    void whatCannotBeIsRefused();
+    void impossibleFilmsAreRefused_data();
+    void impossibleFilmsAreRefused();
     void inputsAreNotReplaced();
 
   private:
@@ -613,7 +613,7 @@ void TestFilms::versionIsTold() {
     QCOMPARE(lines[1], "ffmpeg " + own);
 }
 
-void TestFilms::whatCannotBeIsRefused_data() {
+void TestFilms::impossibleFilmsAreRefused_data() {
     QTest::addColumn<QString>("line");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("why");
@@ -641,7 +641,7 @@ void TestFilms::whatCannotBeIsRefused_data() {
     QTest::newRow("no folder") << "disc.wend --film none/no.mp4" << 3 << "none/no.mp4";
 }
 
-void TestFilms::whatCannotBeIsRefused() {
+void TestFilms::impossibleFilmsAreRefused() {
     QFETCH(QString, line);
     QFETCH(int, code);
     QFETCH(QString, why);

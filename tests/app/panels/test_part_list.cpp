@@ -61,10 +61,10 @@ class TestPartList : public QObject {
     void noteNamesTheFilling();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
-    void whatStaysBehindMayRide();
-    void whatLiesOnAStrayPartStaysWithIt_data();
-    void whatLiesOnAStrayPartStaysWithIt();
-    void islandsMayRide();
+    void partsWithoutPinsCanBeAttached();
+    void partsOnAStrayPartFollowIt_data();
+    void partsOnAStrayPartFollowIt();
+    void islandsCanBeAttached();
 
   private:
     void dragged();
@@ -726,7 +726,7 @@ void TestPartList::edgesAreSoftened() {
 }
 
 /// The bar has no pin and is the smaller part; a click attaches it to the other, which it then follows.
-void TestPartList::whatStaysBehindMayRide() {
+void TestPartList::partsWithoutPinsCanBeAttached() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
     QVERIFY(settle(session));
@@ -747,7 +747,7 @@ void TestPartList::whatStaysBehindMayRide() {
     QVERIFY(!banner->text().contains("ride on"));
 }
 
-void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
+void TestPartList::partsOnAStrayPartFollowIt_data() {
     QTest::addColumn<int>("headSize");
     QTest::addColumn<QStringList>("expected");
     QTest::newRow("larger than the arm") << 90 << QStringList{"ball on arm"};
@@ -756,7 +756,7 @@ void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
 
 /// An eye on a head without a pin is not offered to the arm beside it; it follows the head if that follows
 /// the arm.
-void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
+void TestPartList::partsOnAStrayPartFollowIt() {
     QFETCH(int, headSize);
     QFETCH(QStringList, expected);
     const auto layer = [](const char* name, int width, int height, int x, int y) {
@@ -780,7 +780,7 @@ void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
 
 /// Two blobs of one picture: the one without a pin becomes a part that follows the other one's map, which is
 /// a translation.
-void TestPartList::islandsMayRide() {
+void TestPartList::islandsCanBeAttached() {
     Image picture = plainPicture(120, 60, {0, 0, 0, 0});
     const auto fill = [&](int x0, int y0, int x1, int y1) {
         for (int y = y0; y < y1; ++y)

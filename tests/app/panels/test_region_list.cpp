@@ -36,7 +36,7 @@ class TestRegionList : public QObject {
     void strokesAreListed();
     void chosenOnesAreOutlined_data() { kinds(); }
     void chosenOnesAreOutlined();
-    void whatAFileHasIsListed();
+    void regionsOfAFileAreListed();
     void circlesHaveARadius();
 
   private:
@@ -259,7 +259,7 @@ void TestRegionList::chosenOnesAreOutlined() {
 }
 
 /// Regions without a name, of any shape, are listed too.
-void TestRegionList::whatAFileHasIsListed() {
+void TestRegionList::regionsOfAFileAreListed() {
     QVERIFY(open(RegionsOf::Depth));
     Project next = m_f->project();
     next.depth = {layerWith("", 1, Box<3>{{40, 60, 0}, {80, 100, 0}}),

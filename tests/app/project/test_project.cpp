@@ -266,7 +266,7 @@ class TestProject : public QObject {
     }
 
     /// The written file has every key of the input, with the same numbers and words.
-    void writtenIsWhatWasRead_data() {
+    void writingKeepsEveryKey_data() {
         QTest::addColumn<QString>("text");
         // the stored end includes the time of settling
         QTest::newRow("plane") << QString::fromStdString(kFull).replace(QStringLiteral("\"end\": 2}"),
@@ -285,7 +285,7 @@ class TestProject : public QObject {
             "1]], "
             "'frame': 'frenet', 'twist': 1.25, 'scale': 0.75, 'time': [0.25, 1], 'ease': 'out'}]}]"));
     }
-    void writtenIsWhatWasRead() {
+    void writingKeepsEveryKey() {
         QFETCH(QString, text);
         const std::string input = text.toStdString();
         const auto read = [](const std::string& json) {
@@ -505,7 +505,7 @@ class TestProject : public QObject {
     }
 
     /// Unknown keys of a shape that is replaced are dropped instead of causing an error.
-    void unknownKeysOfWhatIsGone() {
+    void unknownKeysOfReplacedShapes() {
         Project project =
             *parseProject(withMaterial("'regions': [{'phi': 1, 'shape': "
                                        "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),

@@ -22,7 +22,7 @@ class TestRecovery : public QObject {
     void copiesArePrivate();
     void savingAndUndoingTakeTheCopyAway();
     void runningProgramsLoseNothing();
-    void aFolderThatCannotBeWrittenIsSaidOnce();
+    void anUnwritableFolderIsReportedOnce();
     void recoveredWorkIsUnsaved();
 
   private:
@@ -120,7 +120,7 @@ void TestRecovery::runningProgramsLoseNothing() {
     QCOMPARE(QDir(after.path()).entryList(QDir::Files), QStringList());
 }
 
-void TestRecovery::aFolderThatCannotBeWrittenIsSaidOnce() {
+void TestRecovery::anUnwritableFolderIsReportedOnce() {
     QFile file(m_folder->filePath("file"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     Recovery recovery(*m_document, m_folder->filePath("file/folder"), 0);

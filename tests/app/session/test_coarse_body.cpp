@@ -25,16 +25,16 @@ class TestCoarseBody : public QObject {
     void affineMapsAreFollowed();
     void nearTheShapesOwnFlow_data();
     void nearTheShapesOwnFlow();
-    void goesOnFromABentShape_data() { bothDimensions_data(); }
-    void goesOnFromABentShape();
+    void continuesFromABentShape_data() { bothDimensions_data(); }
+    void continuesFromABentShape();
     void pinsAreUnderTheHand_data() { bothDimensions_data(); }
     void pinsAreUnderTheHand();
     void pinsSideBySideDoWithoutIt_data() { bothDimensions_data(); }
     void pinsSideBySideDoWithoutIt();
     void partsSideBySideAreExact_data() { bothDimensions_data(); }
     void partsSideBySideAreExact();
-    void keepsWhatTheShapeKeeps_data() { bothDimensions_data(); }
-    void keepsWhatTheShapeKeeps();
+    void bodyHasTheMaterialOfTheShape_data() { bothDimensions_data(); }
+    void bodyHasTheMaterialOfTheShape();
     void bordersSlide();
     void holesStayOpen();
     void jawsStayApart();
@@ -256,7 +256,7 @@ void TestCoarseBody::nearTheShapesOwnFlow() {
 
 /// A drag that starts from the end of the shape's own flow has no jump, and it returns to where the own flow
 /// arrives.
-void TestCoarseBody::goesOnFromABentShape() {
+void TestCoarseBody::continuesFromABentShape() {
     const auto check = []<int Dim>() {
         const Shape<Dim> shape = bar<Dim>();
         LiveDrag<Dim> own(shape, ends<Dim>()), riding(shape, ends<Dim>(), bodyOf(shape));
@@ -349,7 +349,7 @@ void TestCoarseBody::partsSideBySideAreExact() {
 }
 
 /// A cell of the body has φ and direction of the half that contains it, or the mean if it is in both.
-void TestCoarseBody::keepsWhatTheShapeKeeps() {
+void TestCoarseBody::bodyHasTheMaterialOfTheShape() {
     const auto check = []<int Dim>() {
         Shape<Dim> shape = bar<Dim>();
         Material<Dim> halves = *shape.material;

@@ -44,8 +44,8 @@ class TestCompute : public QObject {
     void init();
     void opensAtRest();
     void pinsBecomeVertices();
-    void elasticFilmsKeepWhatFollows();
-    void elasticFilmsFollowWhatMoves();
+    void elasticFilmsKeepLaterFrames();
+    void elasticFilmsFollowMovedEnds();
     void anotherMeshIsTakenBack();
     void dragEndsAsTheCommandLineHasIt();
     void stopsWhileItPrepares();
@@ -53,7 +53,7 @@ class TestCompute : public QObject {
     void otherLengthsKeepThePoses();
     void framesOnTheirWayCount_data();
     void framesOnTheirWayCount();
-    void dragsGoOnFromWhatIsShown();
+    void dragsContinueFromTheShownPose();
     void escapeRestores();
     void undoShowsTheEarlierShapeAtOnce();
     void laterPinMovesNothing();
@@ -64,8 +64,8 @@ class TestCompute : public QObject {
     void cancelGoesBack();
     void firstMeshIsCancelled();
     void firstMotionIsCancelled();
-    void playbackWaitsForWhatIsComputed();
-    void whatIsGoneIsNotSelected();
+    void playbackWaitsForComputedFrames();
+    void removedHandlesAreNotSelected();
     void selectionStaysWithItsPins();
     void velocitiesWaitForRequests();
     void newestTargetsStay();
@@ -195,7 +195,7 @@ void TestCompute::stopsWhileItPrepares() {
 
 /// In an elastic film only the part that a change affects is computed again: the frames before and after it
 /// are reused, and those between agree with a computation from the start. A flow depends on its path.
-void TestCompute::elasticFilmsKeepWhatFollows() {
+void TestCompute::elasticFilmsKeepLaterFrames() {
     for (const bool elastic : {true, false}) {
         open();
         m_session->addPin({40, 80, 0});
@@ -249,7 +249,7 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
 }
 
 /// A pose stays where it was put: a change that moves the end for good is computed to the end.
-void TestCompute::elasticFilmsFollowWhatMoves() {
+void TestCompute::elasticFilmsFollowMovedEnds() {
     open();
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
@@ -373,7 +373,7 @@ void TestCompute::framesOnTheirWayCount() {
 
 /// A drag continues from the visible place of the pin; the pin's later motions are replaced, with a notice,
 /// and restored by undo. Other pins continue.
-void TestCompute::dragsGoOnFromWhatIsShown() {
+void TestCompute::dragsContinueFromTheShownPose() {
     open();
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
@@ -594,7 +594,7 @@ void TestCompute::selectionStaysWithItsPins() {
     QVERIFY(m_session->selection().isEmpty() && changes.size() == 1);
 }
 
-void TestCompute::whatIsGoneIsNotSelected() {
+void TestCompute::removedHandlesAreNotSelected() {
     open();
     m_session->addPin({40, 80, 0});
     const int last = m_session->addPin({200, 80, 0});
@@ -607,7 +607,7 @@ void TestCompute::whatIsGoneIsNotSelected() {
 }
 
 /// Playback waits at the end of the computed part of the motion, and continues when more of it is available.
-void TestCompute::playbackWaitsForWhatIsComputed() {
+void TestCompute::playbackWaitsForComputedFrames() {
     Playback playback;
     playback.setEnd(0.2);
     playback.setTime(0);

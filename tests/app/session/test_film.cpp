@@ -35,8 +35,8 @@ class TestFilm : public QObject {
     void recordsByTheClockOfTheFilm();
     void dragsLeaveOthersAlone_data() { dimensions(); }
     void dragsLeaveOthersAlone();
-    void othersAreSeenGoingOn_data() { dimensions(); }
-    void othersAreSeenGoingOn();
+    void otherPinsMoveDuringARecording_data() { dimensions(); }
+    void otherPinsMoveDuringARecording();
     void playsAtItsSpeed();
     void shortBarsKeepTheirPlace();
     void givenUpRecordingLeavesNothing();
@@ -57,10 +57,10 @@ class TestFilm : public QObject {
     void playingShowsTheShapeAlone_data() { dimensions(); }
     void playingShowsTheShapeAlone();
     void rulerIsScrubbed();
-    void filmsBeginWithWhatMoves();
+    void movingPinsAreInViewAtFirst();
     void manyPinsScroll();
-    void onionSkinShowsWhatWasAndComes();
-    void onionSkinIsOfWhatIsDrawn();
+    void onionSkinShowsPastAndFuture();
+    void onionSkinLeavesOutTheMargin();
     void onionSkinOfASolid();
     void influenceOfPins_data() { dimensions(); }
     void influenceOfPins();
@@ -268,7 +268,7 @@ void TestFilm::recordsByTheClockOfTheFilm() {
 
 /// While the pointer rests in a recording the other pin moves on, and the time is shown; giving up restores
 /// everything.
-void TestFilm::othersAreSeenGoingOn() {
+void TestFilm::otherPinsMoveDuringARecording() {
     QFETCH(int, dimension);
     openFilm(dimension);
     session().playback().setTime(0);
@@ -665,7 +665,7 @@ void TestFilm::rulerIsScrubbed() {
 }
 
 /// The moving pins are in view when a film is opened, however many others come before them.
-void TestFilm::filmsBeginWithWhatMoves() {
+void TestFilm::movingPinsAreInViewAtFirst() {
     open(2);
     for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80, 0});
     const auto next = copyOf(project());
@@ -697,7 +697,7 @@ void TestFilm::manyPinsScroll() {
 }
 
 /// The canvas is tinted where the shape was, and in another colour where it will be; not while it plays.
-void TestFilm::onionSkinShowsWhatWasAndComes() {
+void TestFilm::onionSkinShowsPastAndFuture() {
     openFilm(2);
     const auto next = copyOf(project());  // the whole bar goes down, evenly
     for (auto& handle : designOf(*next).handles) {
@@ -728,7 +728,7 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
 }
 
 /// The onion skin leaves out the transparent margin that bends with the picture.
-void TestFilm::onionSkinIsOfWhatIsDrawn() {
+void TestFilm::onionSkinLeavesOutTheMargin() {
     openFilm(2);
     const auto next = copyOf(project());
     domainOf(*next).alpha.margin = 16;

@@ -92,8 +92,9 @@ double softening(const Shape<3>& shape) {
     return (preview.pose() - exact.pose()).colwise().norm().maxCoeff() / kLength;
 }
 
-/// Returns whether the pose is closer to a shape embedded in a body than to its own flow (or the reverse),
-/// and to its own φ than to another. The session may have skipped samples, which makes little difference.
+/// Returns whether the pose is that of the shape embedded in its body, with its own φ rather than with the
+/// other, or, unless `rides`, that of its own flow. The session may have skipped samples, which makes little
+/// difference.
 bool nearer(const Points3& pose, const Shape<3>& shape, bool rides, double otherPhi) {
     const auto distance = [&](std::shared_ptr<const CoarseBody<3>> body) {
         LiveDrag<3> drag(shape, ends(), std::move(body));

@@ -49,8 +49,8 @@ class TestMeshTrust : public QObject {
 
   private slots:
     void initTestCase() { m_base = m_folder.path().toStdString(); }
-    void partsThatHangAreTold();
-    void solidsThatHangAreTold();
+    void looselyAttachedPartsAreReported();
+    void looselyAttachedSolidsAreReported();
     void sizesBeyondNumbersAreTold();
     void oneSpareVertexIsToldAsOne();
     void missedQualityIsTold();
@@ -103,7 +103,7 @@ Surface hangingStrip() {
 
 }  // namespace
 
-void TestMeshTrust::partsThatHangAreTold() {
+void TestMeshTrust::looselyAttachedPartsAreReported() {
     test::writeSurface(file("hang.obj"), hangingStrip());
     const auto inspection = inspectFile(file("hang.obj"));
     QCOMPARE(inspection.problems.size(), std::size_t(1));
@@ -117,7 +117,7 @@ void TestMeshTrust::partsThatHangAreTold() {
     QVERIFY(anyContains(m_notices, "a part of 1 cell hangs only on vertex 8 near (2, 2)"));
 }
 
-void TestMeshTrust::solidsThatHangAreTold() {
+void TestMeshTrust::looselyAttachedSolidsAreReported() {
     const Surface corner = test::joined(kBar, test::box({3, 1, 1}, {4, 2, 2}, 2));
     test::writeSurface(file("corner.obj"), corner);
     QVERIFY(anyContains(textsOf(solid("'surface': 'corner.obj', 'vertices': 300").notices),

@@ -19,7 +19,7 @@ class TestMovingCells : public QObject {
     void moreAreTakenWhereItBends();
     void unusedVerticesDoNotMatter();
     void usualMeshesAreDrawnSo();
-    void whatIsNotWorthwhileIsDrawnWhole();
+    void shapesWithoutGainAreDrawnWhole();
     void pictureIsTheSame_data();
     void pictureIsTheSame();
     void dragsAloneAreDrawnSo();
@@ -187,7 +187,7 @@ void TestMovingCells::usualMeshesAreDrawnSo() {
     QVERIFY(farthest(*mesh, drawn->cells, pose) <= 0.5 + 1e-9);
 }
 
-void TestMovingCells::whatIsNotWorthwhileIsDrawnWhole() {
+void TestMovingCells::shapesWithoutGainAreDrawnWhole() {
     const MeshPtr small = gridOf(55), mesh = gridOf(kSide);
     QVERIFY(!MovingCells().of(small, nullptr, small->points, 1));
     // No coarser mesh follows noise; where twice the deviation is allowed, it is tried again.

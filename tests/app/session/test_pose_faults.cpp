@@ -18,7 +18,7 @@ class TestPoseFaults : public QObject {
     void bentBar_data();
     void bentBar();
     void slabsInEachOther();
-    void whatMetAtRestIsNoNews();
+    void contactAtRestIsNotReported();
     void surfaceInACage();
     void ribbonCrossesItself();
     void blownUp_data();
@@ -223,7 +223,7 @@ void TestPoseFaults::slabsInEachOther() {
 
 /// Two blocks that touch at rest are not reported, however they are rotated, whether their points meet or
 /// not.
-void TestPoseFaults::whatMetAtRestIsNoNews() {
+void TestPoseFaults::contactAtRestIsNotReported() {
     for (const int n : {2, 3}) {
         const auto pile =
             both<3>(block({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), block({0, 0, 1}, {1, 1, 2}, {n, n, n}));

@@ -15,19 +15,19 @@ class TestPoseWatch : public QObject {
   private slots:
     void init() { m_f = std::make_unique<SolidFixture>(); }
     void cleanup() { m_f.reset(); }
-    void placesAreToldMarkedAndSeen_data() { dimensions(); }
-    void placesAreToldMarkedAndSeen() { BOTH(placesAreToldMarkedAndSeen); }
-    void whatBlowsUpIsTold_data() { dimensions(); }
-    void whatBlowsUpIsTold() { BOTH(whatBlowsUpIsTold); }
-    void nothingIsKnownOfWhatMoves();
+    void placesAreReportedAndMarked_data() { dimensions(); }
+    void placesAreReportedAndMarked() { BOTH(placesAreReportedAndMarked); }
+    void blownUpCellsAreReported_data() { dimensions(); }
+    void blownUpCellsAreReported() { BOTH(blownUpCellsAreReported); }
+    void movingShapesAreNotChecked();
 
   private:
     template <int Dim>
     bool open(const std::string& motion);
     template <int Dim>
-    void placesAreToldMarkedAndSeen();
+    void placesAreReportedAndMarked();
     template <int Dim>
-    void whatBlowsUpIsTold();
+    void blownUpCellsAreReported();
     QToolButton& chip(const char* name) {
         return *m_f->window().findChild<QToolButton*>(QString::fromLatin1(name));
     }
@@ -108,7 +108,7 @@ int TestPoseWatch::redPixels() {
 
 /// A corner of the second body enters the first: one place of a solid, two points of an outline.
 template <int Dim>
-void TestPoseWatch::placesAreToldMarkedAndSeen() {
+void TestPoseWatch::placesAreReportedAndMarked() {
     QVERIFY(open<Dim>(Dim == 2 ? "{'kind': 'translate', 'by': [-7.13, 0.71]}"
                                : "{'kind': 'translate', 'by': [-7.13, 0.71, 0.53]}"));
     QVERIFY(isKnown("crossings"));
@@ -138,7 +138,7 @@ void TestPoseWatch::placesAreToldMarkedAndSeen() {
 }
 
 template <int Dim>
-void TestPoseWatch::whatBlowsUpIsTold() {
+void TestPoseWatch::blownUpCellsAreReported() {
     QVERIFY(open<Dim>(
         Dim == 2 ? "{'kind': 'curve', 'interpolation': 'polyline', 'points': [[9, 1], [19, 1]], 'scale': 4}"
                  : "{'kind': 'curve', 'interpolation': 'polyline', 'points': [[9, 1, 1], [19, 1, 1]], "
@@ -155,7 +155,7 @@ void TestPoseWatch::whatBlowsUpIsTold() {
 }
 
 /// No fault is reported while the shape is dragged or plays.
-void TestPoseWatch::nothingIsKnownOfWhatMoves() {
+void TestPoseWatch::movingShapesAreNotChecked() {
     QVERIFY(open<2>("{'kind': 'translate', 'by': [-7.13, 0.71]}"));
     QVERIFY(isKnown("crossings"));
     m_f->session().selection().set({1});

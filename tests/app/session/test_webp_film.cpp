@@ -23,8 +23,8 @@ class TestWebpFilm : public QObject {
     void lossyStillIsSmaller();
     void restIsOneLongFrame();
     void profileIsKept();
-    void whatCannotBeIsRefused_data();
-    void whatCannotBeIsRefused();
+    void impossibleFilmsAreRefused_data();
+    void impossibleFilmsAreRefused();
     void inputIsNotReplaced();
 
   private:
@@ -125,7 +125,7 @@ void TestWebpFilm::profileIsKept() {
     QCOMPARE(profile, QByteArray(reinterpret_cast<const char*>(own.data()), qsizetype(own.size())));
 }
 
-void TestWebpFilm::whatCannotBeIsRefused_data() {
+void TestWebpFilm::impossibleFilmsAreRefused_data() {
     QTest::addColumn<QStringList>("how");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("why");
@@ -144,7 +144,7 @@ void TestWebpFilm::whatCannotBeIsRefused_data() {
 }
 
 /// A film that cannot be written is refused in one line, with its name, and no file is left.
-void TestWebpFilm::whatCannotBeIsRefused() {
+void TestWebpFilm::impossibleFilmsAreRefused() {
     QFETCH(QStringList, how);
     QFETCH(int, code);
     QFETCH(QString, why);

@@ -182,11 +182,11 @@ class TestDepth : public QObject {
     void crossingLimb();
     void orderIsUndone();
     void brushed();
-    void whatIsSeenIsTouched();
+    void clicksPickTheVisiblePart();
     void pinsInFrontArePicked();
-    void strokesLeaveWhatIsLarger();
+    void strokesKeepLargerLayers();
     void anotherMeshHasItsOwnOrder();
-    void mapsShowWhatLiesInFront();
+    void mapsShowTheFrontCells();
     void pinsBringTheirPart();
 
   private:
@@ -429,7 +429,7 @@ void TestDepth::brushed() {
 }
 
 /// Of the hand and the body below, a click picks the one in front, whichever has the greater numbers.
-void TestDepth::whatIsSeenIsTouched() {
+void TestDepth::clicksPickTheVisiblePart() {
     for (const double order : {1.0, -1.0}) {
         setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.gestures().pins()[0].centre));
@@ -474,7 +474,7 @@ void TestDepth::pinsInFrontArePicked() {
 }
 
 /// Only layers that a stroke hides completely are removed.
-void TestDepth::strokesLeaveWhatIsLarger() {
+void TestDepth::strokesKeepLargerLayers() {
     setDepth({layerWith("body", 2, Ball<3>{{200, 180, 0}, 60})});
     const ValueLayers& depth = m_session.document().depth();
     const auto small =
@@ -494,7 +494,7 @@ void TestDepth::anotherMeshHasItsOwnOrder() {
 }
 
 /// Where two cells with very different colours overlap, that of the upper one is visible.
-void TestDepth::mapsShowWhatLiesInFront() {
+void TestDepth::mapsShowTheFrontCells() {
     const auto frame = m_session.motion().frame<2>();
     const std::vector<double> values = cellValues(*frame, Measure::Angle);
     const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};

@@ -16,15 +16,15 @@ class TestErasing : public PaintTest {
     void cleanup() { m_f.reset(); }
     void erasedPlacesFollowTheShape_data() { dimensions(); }
     void erasedPlacesFollowTheShape();
-    void eraserTakesFromAllLayersThatAreSeen_data() { dimensions(); }
-    void eraserTakesFromAllLayersThatAreSeen();
+    void eraserChangesAllVisibleLayers_data() { dimensions(); }
+    void eraserChangesAllVisibleLayers();
     void halfAnEraserLeavesHalf_data() { dimensions(); }
     void layersErasedPieceByPieceGo();
     void layersHiddenInPartAreErased();
     void halfAnEraserLeavesHalf();
     void fillsAreTakenBack_data() { dimensions(); }
     void fillsAreTakenBack();
-    void linesGoRoundWhatIsErased();
+    void linesExcludeErasedParts();
 
   private:
     template <int Dim>
@@ -122,7 +122,7 @@ void TestErasing::followTheShape() {
     QVERIFY(text.contains("\"leaves\": 0") && text.count("\"phi\": 1.1") > 1);
 }
 
-void TestErasing::eraserTakesFromAllLayersThatAreSeen() {
+void TestErasing::eraserChangesAllVisibleLayers() {
     BOTH(takeFromAll);
 }
 
@@ -257,7 +257,7 @@ void TestErasing::takeBackFills() {
 
 /// Each point of the lines is on a circle of the paint outside the erased parts, or on one of an eraser
 /// within the paint.
-void TestErasing::linesGoRoundWhatIsErased() {
+void TestErasing::linesExcludeErasedParts() {
     SimplicialMesh<2> rest;
     rest.points.resize(2, 3);
     rest.points << 0, 100, 0, 0, 0, 100;

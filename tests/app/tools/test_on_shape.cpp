@@ -17,7 +17,7 @@ class TestOnShape : public QObject {
     void rimOfAPhotographIsItsOwn();
     void rimOfACutOutIsThePictures();
     void mapIsSeenOnTransparentGround();
-    void whatLiesInFrontIsSeenAlone();
+    void frontCellsHideOthers();
     void smoothMapsHaveTheSameRim();
     void linesAreSeenOnEveryGround_data();
     void linesAreSeenOnEveryGround();
@@ -235,7 +235,7 @@ void TestOnShape::mapIsSeenOnTransparentGround() {
 
 /// Two squares overlap: the map of the front one covers the other's, and the line between them is as soft as
 /// the outline.
-void TestOnShape::whatLiesInFrontIsSeenAlone() {
+void TestOnShape::frontCellsHideOthers() {
     Points2 points(2, 8);
     points << 20, 150, 150, 20, 60.4, 110.4, 110.4, 60.4, 20, 20, 150, 150, 40, 60, 120, 100;
     const SimplicialMesh<2> mesh{points, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};

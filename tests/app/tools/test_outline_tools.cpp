@@ -69,8 +69,8 @@ class TestOutlineTools : public QObject {
     void cutParts();
     void wandTakesAColour();
     void toleranceChangesTheLastClick();
-    void whatIsAtRestStays();
-    void theFirstStrokeSaysWhatItTakesAway();
+    void newOutlinesKeepPinsAndMaterial();
+    void theFirstStrokeReportsTheLostMargin();
     void pinsBesideItGo();
     void pinsOnTheLineStay();
     void noiseIsLeftOut();
@@ -329,7 +329,7 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
 }
 
 /// Pins, their motion and the material are given at rest: a new outline leaves them as they are.
-void TestOutlineTools::whatIsAtRestStays() {
+void TestOutlineTools::newOutlinesKeepPinsAndMaterial() {
     const int pin = m_session->addPin({200, 100, 0});
     QVERIFY(pin >= 0 && m_session->addPin({60, 100, 0}) >= 0);
     m_session->selection().set({pin});
@@ -359,7 +359,7 @@ void TestOutlineTools::whatIsAtRestStays() {
 
 /// The outline of a cut-out has a margin, a drawn one has none: the notice says so, and the tooltip begins
 /// with it.
-void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
+void TestOutlineTools::theFirstStrokeReportsTheLostMargin() {
     m_session->document().open(openFile(writeCutOut(m_folder)));
     QVERIFY(settle(*m_session));
     m_canvas->zoomTo(2);

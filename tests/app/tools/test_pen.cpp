@@ -26,7 +26,7 @@ class TestPen : public QObject {
     void doubleClicksEnd();
     void otherPathsGoOnBeside();
     void selectedPinsGoTogether();
-    void whatCannotMoveIsNotDrawn();
+    void noPathIsDrawnForFixedPins();
     void otherChangesGiveUp();
     void turnedViewsLeadIntoDepth();
     void shiftKeepsToSteps_data() { pictureAndSolid(); }
@@ -261,7 +261,7 @@ void TestPen::selectedPinsGoTogether() {
 }
 
 /// Nothing is drawn beside all pins with none selected, or from a locked pin; a message says so.
-void TestPen::whatCannotMoveIsNotDrawn() {
+void TestPen::noPathIsDrawnForFixedPins() {
     QVERIFY(open(2));
     QSignalSpy told(&m_f->session().document(), &Document::notice);
     click(pin(1) + QPoint(-60, 0));

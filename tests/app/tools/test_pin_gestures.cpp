@@ -23,8 +23,8 @@ class TestPinGestures : public QObject {
     void cleanup() { m_f.reset(); }
     void dragsFromTheBareShapeSetAPin_data() { dimensions(); }
     void dragsFromTheBareShapeSetAPin();
-    void newPinsThatAreGivenUpAreGone_data() { dimensions(); }
-    void newPinsThatAreGivenUpAreGone();
+    void cancelledNewPinsAreRemoved_data() { dimensions(); }
+    void cancelledNewPinsAreRemoved();
     void otherDragsDrawAnOutline_data() { dimensions(); }
     void otherDragsDrawAnOutline();
     void viewsThatTheLeftButtonTurnsAreTurned();
@@ -46,8 +46,8 @@ class TestPinGestures : public QObject {
     void shiftKeepsItStraight();
     void otherFilesBeginAnew_data() { dimensions(); }
     void otherFilesBeginAnew();
-    void whatLiesUnderAStillPointerIsToldAnew_data() { dimensions(); }
-    void whatLiesUnderAStillPointerIsToldAnew();
+    void hintsUnderAStillPointerAreUpdated_data() { dimensions(); }
+    void hintsUnderAStillPointerAreUpdated();
     void choosingHowToSelectKeepsThePinTool();
     void pointsAreWidenedByANumber_data() { dimensions(); }
     void pointsAreWidenedByANumber();
@@ -200,7 +200,7 @@ void TestPinGestures::setAndDrag() {
     QCOMPARE(undo().count(), steps + 2);
 }
 
-void TestPinGestures::newPinsThatAreGivenUpAreGone() {
+void TestPinGestures::cancelledNewPinsAreRemoved() {
     BOTH(giveUp);
 }
 
@@ -638,7 +638,7 @@ void TestPinGestures::stillPointer() {
     QVERIFY2(hint().startsWith(QStringLiteral("Drag to move the pin")), qPrintable(hint()));
 }
 
-void TestPinGestures::whatLiesUnderAStillPointerIsToldAnew() {
+void TestPinGestures::hintsUnderAStillPointerAreUpdated() {
     BOTH(stillPointer);
 }
 

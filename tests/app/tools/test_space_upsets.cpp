@@ -24,14 +24,14 @@ class TestSpaceUpsets : public QObject {
     void cleanup() { m_f.reset(); }
     void anotherMeshEndsTheGesture_data();
     void anotherMeshEndsTheGesture();
-    void whatIsNoFrameIsNotHeld();
+    void surfacesWithoutAFrameAreNotHeld();
     void pinsOnTheCurveAreTaken_data();
     void pinsOnTheCurveAreTaken();
     void undoEndsTheDragOfACurvePoint();
     void chosenPointsStayWithTheirCurve();
-    void closedLassoTakesWhatItEncircles();
+    void closedLassoSelectsItsInside();
     void takingAwayFromNothingIsTold();
-    void framesLeaveWhatIsTyped();
+    void framesKeepTypedText();
     void untouchedNumbersKeepTheirDigits();
     void untouchedAxesKeepTheirDigits();
 
@@ -105,7 +105,7 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
 }
 
 /// A file's surface may be shown while the frame is still that of the mesh before.
-void TestSpaceUpsets::whatIsNoFrameIsNotHeld() {
+void TestSpaceUpsets::surfacesWithoutAFrameAreNotHeld() {
     const QPoint where = m_f->at({1, -0.5, 0.1});
     QVERIFY(m_f->canvas().pick(where).cell >= 0);
     const Surface ball = test::box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 40);
@@ -184,7 +184,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     QVERIFY(!m_f->canvas().viewport().tool()->ownsKey(key));
 }
 
-void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
+void TestSpaceUpsets::closedLassoSelectsItsInside() {
     QVERIFY(m_f->holdEnds());
     const std::size_t before = m_f->session().pins().verticesOf(1).size();
     m_f->tool("lasso")->trigger();
@@ -208,7 +208,7 @@ void TestSpaceUpsets::takingAwayFromNothingIsTold() {
     QVERIFY(m_f->handles().empty());
 }
 
-void TestSpaceUpsets::framesLeaveWhatIsTyped() {
+void TestSpaceUpsets::framesKeepTypedText() {
     QVERIFY(makeCurve());
     m_f->session().addHandle(Ball<3>{{0, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));

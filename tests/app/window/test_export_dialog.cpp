@@ -38,7 +38,7 @@ class TestExportDialog : public QObject {
     void cropsAreToldSideBySide();
     void aLoopFitsItsCycle();
     void previewIsWhatIsWritten();
-    void whatHasNoAlphaIsPreviewedOnItsGround();
+    void opaqueFormatsArePreviewedOnTheirGround();
     void framesAreNumbered();
     void depthsAreWritten_data();
     void depthsAreWritten();
@@ -339,7 +339,7 @@ void TestExportDialog::cropsAreToldSideBySide() {
     QVERIFY2(!film.contains(QStringLiteral("left")), qPrintable(film));
 }
 
-void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
+void TestExportDialog::opaqueFormatsArePreviewedOnTheirGround() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Picture);

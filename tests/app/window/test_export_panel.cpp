@@ -31,7 +31,7 @@ class TestExportPanel : public QObject {
     void nothingIsAskedWithoutAShape();
     void previewFollowsThePose();
     void whatIsPreviewedIsWritten();
-    void whatWasChosenStays();
+    void choicesAreKept();
     void fitIsOneClick();
     void anyColourIsBehindThePicture();
     void framesLastAsLongAsTheMotion();
@@ -222,7 +222,7 @@ void TestExportPanel::whatIsPreviewedIsWritten() {
     QVERIFY2(off < 0.03 * ink, qPrintable(QString::number(off / ink)));  // two filters at soft edges
 }
 
-void TestExportPanel::whatWasChosenStays() {
+void TestExportPanel::choicesAreKept() {
     QVERIFY(open(false) && bend(-10, 30));
     toExport();
     auto* format = panel().findChild<QComboBox*>(QStringLiteral("format"));

@@ -44,7 +44,7 @@ class TestSolidLooks : public QObject {
     void arrowsAreSeenBeforeEveryGround();
     void mapsHaveARimOnDarkGround();
     void pinsThatAreCutAwayAreFaint();
-    void whatIsUnderThePointerFollowsTheMap();
+    void pointedValueFollowsTheMap();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -479,7 +479,7 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
 }
 
 /// The value under a resting pointer is updated, too.
-void TestSolidLooks::whatIsUnderThePointerFollowsTheMap() {
+void TestSolidLooks::pointedValueFollowsTheMap() {
     open(project({}));
     QString told;
     const QObject listener;

@@ -50,7 +50,7 @@ class TestSurfaceWindow : public QObject {
     void noteOfWorkIsWhole();
     void noteTellsMeshesFromMotions();
     void detailedSurfaceIsShownAndTellsItsNotices();
-    void whatACageCarriesIsPinned();
+    void pinsAreSetOnCagedSurfaces();
 
   private:
     void openHoles();
@@ -536,7 +536,7 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
 }
 
 /// Pins are placed on the visible surface, not at a hidden corner of the cage, also when they snap.
-void TestSurfaceWindow::whatACageCarriesIsPinned() {
+void TestSurfaceWindow::pinsAreSetOnCagedSurfaces() {
     QFile whole(m_f->writeBar()), open(m_f->folder().filePath(QStringLiteral("open.obj")));
     QVERIFY(whole.open(QIODevice::ReadOnly) && open.open(QIODevice::WriteOnly));
     const QByteArray text = whole.readAll().trimmed();

@@ -27,7 +27,7 @@ class TestVolumeView : public QObject {
     void ridingSurfaceHasItsTexture();
     void paintLiesOverASkin();
     void ridingSurfaceFollowsAndIsCut();
-    void ridingSurfaceIsWhatRaysMeet();
+    void raysMeetTheEmbeddedSurface();
     void hugeAndTinySolidsLookTheSame();
     void picturesOfTilesAreWhole();
     void surfacesAloneAreNotCut_data();
@@ -37,11 +37,11 @@ class TestVolumeView : public QObject {
     void missingPicturesAreToldOnce();
     void fitShowsGlyphs();
     void fineDrawingOutlivesTheBeginningOfAMotion();
-    void whatMovesIsInItsPlace();
+    void movingShapesAreInTheirPlace();
     void manyTrianglesAreDrawn();
     void edgesFadeWhereTheyAreDense();
     void faceOfACutHasAnOutline();
-    void whatIsCoveredShinesThrough();
+    void coveredMarksShineThrough();
     void markedTrianglesShineThrough();
     void marksOfTwoKindsDoNotMix();
     void rimIsAroundTheShapeAlone();
@@ -332,7 +332,7 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
 }
 
 /// An octahedron |x| + |y| + |z| = 0.4 is embedded in the bar: rays meet it, not the bar around it.
-void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
+void TestVolumeView::raysMeetTheEmbeddedSurface() {
     auto skin = std::make_shared<Skin>();
     skin->points.resize(3, 6);
     skin->points << Mat3(0.4 * Mat3::Identity()), Mat3(-0.4 * Mat3::Identity());
@@ -625,7 +625,7 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
 
 /// With software rendering, a moving shape may have fewer pixels once it has been slow: they fill the view,
 /// and at rest it has all of them again.
-void TestVolumeView::whatMovesIsInItsPlace() {
+void TestVolumeView::movingShapesAreInTheirPlace() {
     const VolumePicture picture = waves(224);
     VolumePicture other = picture;
     other.pose.row(2) *= 1.3;
@@ -708,7 +708,7 @@ void TestVolumeView::faceOfACutHasAnOutline() {
 
 /// The marks, such as pins, are blended where the surface is in front, once for each overlap, and not
 /// elsewhere.
-void TestVolumeView::whatIsCoveredShinesThrough() {
+void TestVolumeView::coveredMarksShineThrough() {
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Right);
     m_view->setPicture(m_picture, true);

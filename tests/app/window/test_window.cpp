@@ -55,7 +55,7 @@ class TestWindow : public WindowTest {
     void stopLabelsStayApart_data();
     void stopLabelsStayApart();
     void brushAndWholeShapeReadDifferently();
-    void whatIsToldOutlastsTheHintOfItsButton();
+    void noticesOutlastTheHintOfTheirButton();
     void moreToolsAreToBeSeen();
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
@@ -79,7 +79,7 @@ class TestWindow : public WindowTest {
     void samplesAreExportedElsewhere();
     void exportedMeshIsThatOfTheWindow();
     void exportsFollowEachOther();
-    void whatIsNotComputedYetIsNotExported();
+    void outdatedPosesAreNotExported();
 
   private:
     /// Drags and waits for the shape.
@@ -267,7 +267,7 @@ void TestWindow::brushAndWholeShapeReadDifferently() {
     QVERIFY(titles().contains("Keep"));
 }
 
-void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
+void TestWindow::noticesOutlastTheHintOfTheirButton() {
     open();
     const auto hint = [this](const QString& text) {
         QStatusTipEvent tip(text);
@@ -766,7 +766,7 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     QCOMPARE(readMesh<2>(path.toStdString()).points.cols(), 4);
 }
 
-void TestWindow::whatIsNotComputedYetIsNotExported() {
+void TestWindow::outdatedPosesAreNotExported() {
     open();
     click(40, 80);
     QVERIFY(settle(m_window->session()));
