@@ -64,7 +64,7 @@ struct Include {
     QString file, target;
 };
 
-/// The headers of the library are found below api: "wend/flow.h".
+/// The library's headers are below api: "wend/flow.h".
 QString folderOf(const QString& file) {
     const QStringList parts = file.split('/');
     if (parts[0] == "wend") return QStringLiteral("api");
@@ -90,7 +90,7 @@ QList<Include> includesBelow(const QString& folder) {
     return found;
 }
 
-/// The source files that include a header, by way of other headers too.
+/// Returns the source files that include a header, directly or by other headers.
 QSet<QString> rebuiltBy(const QString& header) {
     QMultiMap<QString, QString> includers;
     for (const QString& top : kTops + QStringList("tests"))
@@ -137,8 +137,8 @@ void TestArchitecture::includesGoOneWay() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
 }
 
-/// Within a folder of the table, too: of its own folders none comes back to itself, what lies directly in it
-/// counting as one of them.
+/// No folder within a folder of the table depends on itself, counting the files directly in the outer one as
+/// a folder.
 void TestArchitecture::foldersWithinGoOneWay() {
     QMap<QString, QSet<QString>> below;
     for (const Include& include : includesBelow(QStringLiteral("app"))) {
@@ -166,7 +166,7 @@ void TestArchitecture::coreKnowsNoQtAndNoOpenCl() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
 }
 
-/// What libwend installs includes nothing but itself and the standard library.
+/// Headers that libwend installs include only one another and the standard library.
 void TestArchitecture::installedHeadersStandAlone() {
     static const QRegularExpression own(QStringLiteral("^(wend/[a-z_]+\\.h|[a-z_]+)$"));
     const QList<Include> includes = includesBelow("api/wend");
@@ -197,7 +197,7 @@ void TestArchitecture::headersRebuildFewFiles_data() {
     QTest::newRow("mesh formats") << "core/mesh/mesh_formats.h" << 38 << 40;
 }
 
-/// A change of one of these costs that many files; a header that only names what they declare declares it
+/// A change of one of these rebuilds that many files; a header that only names their types declares them
 /// itself.
 void TestArchitecture::headersRebuildFewFiles() {
     QFETCH(QString, header);

@@ -13,7 +13,7 @@
 
 using namespace wend;
 
-/// The library as other programs see it: nothing here includes what is not installed.
+/// The library as other programs use it: only installed headers are included.
 class TestFlow : public QObject {
     Q_OBJECT
   private slots:

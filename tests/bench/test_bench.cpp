@@ -13,7 +13,7 @@
 
 using namespace wend;
 
-/// The benchmark's arithmetic, and that a small case measures all that the table promises.
+/// The arithmetic of the benchmark, and a small case that measures every column of the table.
 class TestBench : public QObject {
     Q_OBJECT
   private slots:
@@ -50,7 +50,8 @@ void checkBody(int aim) {
     QVERIFY(std::abs(boundingBoxDiagonal<Dim>(body.rest->points) - 1) < 1e-14);
 }
 
-/// v = ω × (x − c) with |ω| = π: as long as π times the distance from the axis, and at a right angle to it.
+/// v = ω × (x − c) with |ω| = π has the magnitude π times the distance from the axis and is perpendicular to
+/// that.
 template <int Dim>
 void checkVelocities() {
     const Body<Dim> body = makeBody<Dim>(300);
@@ -184,7 +185,7 @@ void TestBench::theTableOfThePaper() {
         QVERIFY2(figure(paper, part) > 0, part);
 }
 
-/// On small shapes; `wend bench paper` shows it on those of the paper's size.
+/// The paper's findings hold on small shapes; `wend bench paper` shows them at the paper's size.
 void TestBench::whatThePaperFindsHolds() {
     BenchOptions options;
     BenchTable table;

@@ -1,4 +1,4 @@
-// The Adams method by itself, on an equation whose solution is known; in the deformer it is tested with the
+// The Adams method alone, on an equation with a known solution; the deformer's tests include it with the
 // others.
 #include <QTest>
 #include <cmath>
@@ -51,7 +51,7 @@ Nodal<2> nodal(const Field& x) {
     return std::make_shared<const Field>(x);
 }
 
-/// What `order` exact steps of changing lengths before kStart would have left.
+/// Returns the history that `order` exact steps of changing lengths before kStart would have left.
 Pace<2> pastOf(int order, double h) {
     Pace<2> pace;
     pace.order = order;
@@ -152,7 +152,7 @@ class TestAdams : public QObject {
                  qPrintable(QString::number(slope(steps, estimate))));
     }
 
-    /// From order 1 by itself: the error falls with the tolerance, in little more work.
+    /// The method starts itself from order 1: the error falls with the tolerance, for little more work.
     void errorFollowsTheTolerance() {
         std::vector<double> tolerances, errors, work;
         for (double tolerance = 1e-3; tolerance > 1e-9; tolerance /= 10) {
@@ -171,7 +171,7 @@ class TestAdams : public QObject {
         QCOMPARE(runTo(2, 1e-6).highest, AdamsMethod<2>::kHighestOrder);
     }
 
-    /// A right-hand side that jumps at both ends of the stretch: only the values inside it count.
+    /// The right-hand side jumps at both ends of the interval: only the values inside it count.
     void jumpsAtTheEndsAreSeenFromInside() {
         const auto f = [](double t, Side side, StageVectors<2>& at, Field& v) {
             const bool inside = (t > 1 || side == Side::After) && (t < 2 || side == Side::Before);
@@ -186,7 +186,7 @@ class TestAdams : public QObject {
         QVERIFY(method.error() < 1e-9);
     }
 
-    /// After a refused step: shorter, from the same past.
+    /// After a rejected step a shorter one starts from the same past.
     void triesAgainWithLess() {
         AdamsMethod<2> method(1e-9);
         Pace<2> pace = pastOf(3, 0.3);

@@ -219,7 +219,7 @@ void nullFields() {
     }
 }
 
-/// The back end for B = I and the general one, which a B of ones makes no other.
+/// The back end for B = I equals the general one with a B of ones.
 template <int Dim>
 void backEndsAgree(SmoothingKind smoothing) {
     auto scene = sceneOf<Dim>(Kind::Swelling, smoothing);
@@ -278,7 +278,7 @@ void firstInvertedCell() {
     QCOMPARE(scene.backEnd->setShape(scene.shape), -1);
 }
 
-/// Matrix, product and energy of a scene, one after the other.
+/// Evaluates matrix, product and energy of a scene, one after the other.
 template <int Dim>
 std::vector<double> everythingOf(Scene<Dim>& scene) {
     auto all = assembled<Dim>(scene);
@@ -305,8 +305,8 @@ void sameBits(Kind kind) {
     }
 }
 
-/// Targets sum in orders of their own and have products with one rounding or two: the differences are some
-/// last bits of the largest number. Counts of cells that no number of lanes divides are among them.
+/// Targets sum in different orders and round products once or twice: the results differ by a few last bits of
+/// the largest number. Some counts of cells are not divisible by any number of lanes.
 template <int Dim>
 void targetsAgree(SmoothingKind smoothing, int n) {
     std::vector<double> first;
@@ -322,7 +322,7 @@ void targetsAgree(SmoothingKind smoothing, int n) {
     });
 }
 
-/// Exactly the pairs of vertices of one cell or of two cells with a common facet.
+/// The pattern has exactly the pairs of vertices of one cell or of two cells with a common facet.
 template <int Dim>
 void patternIsTwoRing() {
     const auto scene = sceneOf<Dim>(Kind::Uniform, SmoothingKind::Invariant);

@@ -121,7 +121,7 @@ std::vector<Triangle> boundary(const SimplicialMesh<3>& mesh) {
     return result;
 }
 
-/// Of the boundary around a point, by solid angles.
+/// Returns the winding number of the boundary around a point, by solid angles.
 double winding(const Points3& points, const std::vector<Triangle>& boundary, const Vec3& p) {
     double sum = 0;
     for (const Triangle& t : boundary) {
@@ -220,7 +220,7 @@ void TestCage::keepsItsDistance_data() {
             QTest::addRow("%.2f of %s", offset, detail > 0 ? "the gap" : "the cubes") << offset << detail;
 }
 
-/// Whatever is not farther from the surface along an axis than asked for lies inside.
+/// Every place that is not farther from the surface along an axis than the given distance is inside.
 void TestCage::keepsItsDistance() {
     QFETCH(double, offset);
     QFETCH(double, detail);
@@ -247,7 +247,7 @@ void TestCage::openBoxIsFilledUnlessDetailSaysNo() {
     QVERIFY(volumeOf(cageOf(openBox(), 6000, 0.05).mesh) > 0.95);
 }
 
-/// Two plates beside each other: a gap of a tenth, where the diagonal is 1.5.
+/// Two plates side by side have a gap of a tenth, where the diagonal is 1.5.
 void TestCage::wideGapsStayNarrowOnesClose() {
     const Surface plates = joined(box({0, 0, 0}, {1, 1, 0.2}), box({0, 0, 0.3}, {1, 1, 0.5}));
     const Cage open = cageOf(plates, 30000, 2), closed = cageOf(plates, 30000, 0.3);
@@ -301,7 +301,7 @@ void TestCage::closedSlotsAreFound() {
     CageOptions options;
     options.maxVolume = std::pow(slot / 4, 3) / 12;
     if (slot < 0.1) return;  // of too many cells
-    // So do what is offered, whether cubes or the detail closed it.
+    // The suggested options do so, whether cubes or the detail closed it.
     CageOptions offered;
     const Cage closed = cageOf(surface, 1500);
     QVERIFY(closed.openEdge > 0 && closed.openEdge < closed.edge);
@@ -319,7 +319,7 @@ void TestCage::closedSlotsAreFound() {
 }
 
 /// A cube is longer across an oblique slot than across a straight one, and its walls face each other along
-/// all axes: what is offered, cubes and a detail, is finer than what there is and opens the slot.
+/// all axes: the suggested cubes and detail are finer than the present ones and open the slot.
 void TestCage::obliqueSlotsAreOpened() {
     Surface surface = fork(0.15);
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), Vec3(1, 1, 1));
@@ -355,7 +355,7 @@ void TestCage::noGapIsSeen_data() {
     QTest::newRow("noise") << noise(300);
 }
 
-/// What is thin, hollow, or of two parts has no gap within a part.
+/// A thin or hollow part, or two parts, have no gap within a part.
 void TestCage::noGapIsSeen() {
     QFETCH(Surface, surface);
     for (const double detail : {0.0, 1.0})
@@ -408,7 +408,7 @@ void TestCage::sameInThisProcess_data() {
     holdsTheSurface_data();
     QTest::newRow("fork") << -1;
 }
-/// To the last bit.
+/// The cage is the same to the last bit.
 void TestCage::sameInThisProcess() {
     QFETCH(int, index);
     const Surface surface = index < 0 ? fork(0.05) : surfaces()[index].second;
@@ -429,7 +429,7 @@ void TestCage::sameInThisProcess() {
     }
 }
 
-/// Cut off anywhere, or with more behind it.
+/// Bytes truncated anywhere, or with more behind them, are refused.
 void TestCage::badBytesAreRefused() {
     const Surface surface = box({0, 0, 0}, {1, 1, 1});
     CageOptions options;
@@ -446,7 +446,7 @@ void TestCage::badBytesAreRefused() {
     QVERIFY(unpack(answer, reply) && !unpack(answer + '\0', reply));
 }
 
-/// A cage of more cells than could be made in a minute.
+/// The cage would have more cells than can be made in a minute.
 void TestCage::cancelEnds() {
     std::stop_source stop;
     stop.request_stop();

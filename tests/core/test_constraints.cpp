@@ -101,7 +101,7 @@ class TestConstraints : public QObject {
         const std::string where = Dim == 2 ? "(115, 105)" : "(115, 105, 105)";
         QVERIFY(has(reason(at<Dim>({along<Dim>(1.5, 0.5)})),
                     {"handle \"hand\"", "outside the shape", where.c_str()}));
-        // Far away, too, places are told apart.
+        // Different places are distinguished far from the origin, too.
         const Normalization<Dim> far{along<Dim>(1e6, 2e6), 1};
         const std::string there = Dim == 2 ? "(1000001.25, 2000000.5)" : "(1000001.25, 2000000.5, 2000000.5)";
         QVERIFY(has(reasonOf([&] {
@@ -194,7 +194,7 @@ class TestConstraints : public QObject {
         const auto adopted = after.adopt(before.points(), anchors, shape, 0.37);
         QVERIFY(adopted[2] == anchors[0]);
         QVERIFY(adopted[0] == mesh.points.col(0));
-        // Another motion: the point's place decides.
+        // With another motion the point's place is decisive.
         const Constraints<Dim> other(
             mesh, {handle<Dim>("a", std::vector<int>{4}, {translate<Dim>(along<Dim>(5), 0, 1)})});
         const auto placed = other.adopt(before.points(), anchors, shape, 0.37);
@@ -218,7 +218,7 @@ class TestConstraints : public QObject {
         QVERIFY(has(contradiction<Dim>({corners, handle<Dim>("hand", at<Dim>({p}), {move})}),
                     {"\"all\"", "\"hand\""}));
         QVERIFY(contradiction<Dim>({corners, handle<Dim>("pin", at<Dim>({p}))}).empty());
-        // At the centre of a rotation a pin agrees, beside it not.
+        // A pin at the centre of a rotation agrees with it, one beside it does not.
         const auto turn = Motion<Dim>{Rotate<Dim>{p, Vec<Dim>::Unit(Dim - 1), 1}};
         const Vec<Dim> q = along<Dim>(0.35, 0.4);
         QVERIFY(
@@ -229,7 +229,7 @@ class TestConstraints : public QObject {
                  .empty());
     }
 
-    /// Two ways of one point that differ a little, or from a later time on only.
+    /// Two paths of one point differ a little, or only from a later time on.
     template <int Dim>
     void smallContradictionsAreSeen() {
         const Vec<Dim> p = along<Dim>(0.3, 0.4), centre = along<Dim>(0.1, 0.1);
@@ -243,7 +243,7 @@ class TestConstraints : public QObject {
             QVERIFY(!together(move(0.1, 0), move(0.1, 0.1 * by)).empty());
         }
         QVERIFY(together(move(0.1, 0), move(0.1 * (1 + 1e-9), 0)).empty());
-        // A straight way along the tangent of a turn, by as much.
+        // A straight path along the tangent of a rotation, of the same length.
         Motion<Dim> turn{Rotate<Dim>{centre, Vec<Dim>::Unit(Dim - 1), 1}};
         turn.start = 0, turn.end = 1;
         const Vec<Dim> arm = p - centre;
@@ -253,8 +253,8 @@ class TestConstraints : public QObject {
         QVERIFY(has(reason, {"different ways at time 0."}));
     }
 
-    /// What counts is the time for which both act; a handle that takes over starts where the other has
-    /// brought the point.
+    /// Only the time in which both act counts; a handle that takes over starts where the other has moved the
+    /// point.
     template <int Dim>
     void contradictionsInTime() {
         const Vec<Dim> p = along<Dim>(0.3, 0.4);
@@ -266,7 +266,7 @@ class TestConstraints : public QObject {
         QVERIFY(contradiction<Dim>({first, second}).empty());
         second.activeFrom = 0.5;
         QVERIFY(has(contradiction<Dim>({first, second}), {"\"first\"", "\"second\"", "time 0.5"}));
-        // Both turn about one centre, the later one from where the point is by then.
+        // Both rotate about one centre, the later one from the point's place at that time.
         auto turn = Motion<Dim>{Rotate<Dim>{along<Dim>(0.1, 0.1), Vec<Dim>::Unit(Dim - 1), 1}};
         first.motions = {turn};
         first.activeTo = INFINITY;

@@ -63,8 +63,8 @@ void stretched(const Vec<Dim>& s) {
     QVERIFY(std::abs(d.totalMetric - metric) < 1e-11);
 }
 
-/// The forms of method.md with the singular values of another method, from nearly rigid to nearly flat; of
-/// two that are nearly equal, too.
+/// The forms of method.md are evaluated with the singular values of another method, from nearly rigid to
+/// nearly flat, and with two that are nearly equal.
 template <int Dim>
 void anyMap() {
     std::mt19937 random(5);
@@ -111,8 +111,7 @@ void weightedTotals() {
     QVERIFY(d.minDet < 1);
 }
 
-/// However many cells there are: each is measured as if it were alone, also where another one is far from
-/// rigid.
+/// Each cell is measured as if it were alone, for any number of cells, even if another one is far from rigid.
 template <int Dim>
 void cellsAreMeasuredOneByOne() {
     std::mt19937 random(6);

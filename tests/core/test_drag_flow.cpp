@@ -26,7 +26,7 @@ Motion<Dim> shift(double x, double y) {
     return {translate};
 }
 
-/// A wavy way in 60 samples, as a hand leads it.
+/// Returns a wavy path of 60 samples, like that of a pointer.
 template <int Dim>
 std::vector<Motion<Dim>> wavyWay() {
     std::vector<Motion<Dim>> way;
@@ -60,13 +60,13 @@ class TestDragFlow : public QObject {
         QCOMPARE(exact.advance(1).outcome, Outcome::Done);
         const double error =
             distance(flow.pose(), exact.state().points) / boundingBoxDiagonal<Dim>(bend.mesh->points);
-        // The fields' tolerance of 1e-3 over a way of 0.4 diagonals.
+        // The error is the fields' tolerance of 1e-3 over a path of 0.4 diagonals.
         QVERIFY2(error < 4e-4, qPrintable(QString::number(error)));
         QVERIFY(distance(flow.pose(), bend.mesh->points) > 0.5);
     }
 
-    /// The gradient of the memory acts while a hand drags, as in the exact motion: what it makes of the shape
-    /// is much more than what the preview misses.
+    /// The gradient of the memory acts during a drag as in the exact motion: its effect on the shape is much
+    /// larger than the error of the preview.
     template <int Dim>
     void remembersWhileDragging() {
         Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 0);
@@ -95,7 +95,7 @@ class TestDragFlow : public QObject {
         QVERIFY(made > 10 * missed);
     }
 
-    /// Of second order in the length of the samples: a turn in 10, 20, 40.
+    /// The error is of second order in the length of the samples: a rotation in 10, 20, 40.
     template <int Dim>
     void isOfSecondOrder() {
         // Near EQUIA every field is exact.
@@ -117,7 +117,7 @@ class TestDragFlow : public QObject {
         QVERIFY2(order > 1.7, qPrintable(QString::number(order)));
     }
 
-    /// Towards the held end: stops before it, says so, and comes back.
+    /// A drag towards the held end stops before it, reports that, and comes back.
     template <int Dim>
     void stopsBeforeCellsFold() {
         const Bend<Dim> bend(8, 2, 2, 0);
@@ -157,8 +157,8 @@ class TestDragFlow : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, flow.begin(Points<Dim>(Dim, 3)));
     }
 
-    /// A drag that begins where the last one ended knows how the shape moves; far from there it is a guess of
-    /// nothing.
+    /// A drag that begins where the last one ended extrapolates its motion; far from there it starts from a
+    /// zero guess.
     template <int Dim>
     void goesOnWithTheLastFields() {
         const Bend<Dim> bend(16, 4, 4, 0);
@@ -176,8 +176,8 @@ class TestDragFlow : public QObject {
         QCOMPARE(fieldsOf(start), 2);
     }
 
-    /// A shape that springs back fully is rigid where nothing else holds it: a pin carries it without a turn,
-    /// wherever it is, however far it is moved in one step.
+    /// A fully elastic shape is rigid where nothing else holds it: a pin moves it without a rotation, from
+    /// any place and by any distance in one step.
     template <int Dim>
     void lonePinsCarryTheShape() {
         for (const double phi : {phi::kMetr, phi::conformal(Dim)}) {
@@ -200,8 +200,9 @@ class TestDragFlow : public QObject {
   private slots:
     void lonePinsCarryTheShape2() { lonePinsCarryTheShape<2>(); }
     void lonePinsCarryTheShape3() { lonePinsCarryTheShape<3>(); }
-    /// A pause of a second would be seen: the factor of a large solid serves as long as it does at all.
-    void dearFactorsWait() {
+    /// A pause of a second would be visible: the factor of a large solid is reused as long as it works at
+    /// all.
+    void expensiveFactorsAreReused() {
         const Bend<3> bend(40, 12, 4, 0);
         auto flow = flowOf(bend);
         QCOMPARE(flow.statistics().factorizations, 1);

@@ -30,7 +30,7 @@ std::shared_ptr<const Material<Dim>> withMemory(const Material<Dim>& material, d
     return result;
 }
 
-/// The Hessian's blocks and its product with a field, against differences of the gradient.
+/// The Hessian's blocks, and its product with a field, are compared with differences of the gradient.
 template <int Dim>
 void hessianIsTheDerivative(bool isotropic) {
     std::mt19937 random(5);
@@ -74,8 +74,8 @@ void hessianIsTheDerivative(bool isotropic) {
     }
 }
 
-/// W and its gradient where B₀ = I, which several cells compute side by side, against the sums over the
-/// cells; a cell that is inverted, also the last one.
+/// W and its gradient where B₀ = I, which are computed for several cells at once, are compared with sums over
+/// the cells; one cell, possibly the last, is inverted.
 template <int Dim>
 void energyIsTheSumOverCells() {
     std::mt19937 random(6);
@@ -119,7 +119,7 @@ void energyIsTheSumOverCells() {
     }
 }
 
-/// The first flat cell on a straight way, against the smallest measure at many places of it.
+/// The first flat cell along a straight path is compared with the smallest measure at many places of it.
 template <int Dim>
 void stepsEndBeforeCellsAreFlat() {
     std::mt19937 random(7);
@@ -147,7 +147,7 @@ void stepsEndBeforeCellsAreFlat() {
     QVERIFY(shortened > 5);
 }
 
-/// The gradient of W without what the ends hold, in the frame where the shape has size 1.
+/// The gradient of W without the part that the ends hold, in the frame where the shape has size 1.
 template <int Dim>
 double forceOf(const Bend<Dim>& bend, const Points<Dim>& shape) {
     const double size = shapeSize<Dim>(bend.mesh->points, bend.mesh->cells).size;
@@ -197,11 +197,11 @@ void settlesToTheMinimum(double phi, bool anisotropic) {
     QVERIFY(forceOf<Dim>(bend, elastic.state().points) < 1e-9 * before);
     QVERIFY(distance(elastic.state().points, settled.state().points) < 1e-7);
     QVERIFY(elastic.statistics().snaps.empty());
-    // Near the minimum a factor serves for several steps.
+    // Near the minimum one factor serves for several steps.
     QVERIFY(elastic.statistics().solverIterations > elastic.statistics().factorizations);
 }
 
-/// Three pins of a strip led along random closed polygons.
+/// Moves three pins of a strip along random closed polygons.
 template <int Dim>
 void closedPathsClose(double phi, unsigned seed) {
     std::mt19937 random(seed);
@@ -239,7 +239,7 @@ void closedPathsClose(double phi, unsigned seed) {
     QVERIFY(off < 1e-8);
 }
 
-/// A frame within a step is the minimum at its time: the shape of a run that ends there.
+/// A frame within a step is the minimum at its time, which is the shape of a run that ends there.
 void framesAreMinima() {
     const Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
     const auto elastic = withMemory(*bend.material, kElastic);
@@ -253,7 +253,7 @@ void framesAreMinima() {
     QCOMPARE(other.advance(1).outcome, Outcome::Done);
     QVERIFY(other.state().points == deformer.state().points);  // frames do not change the steps
     QCOMPARE(frames.size(), 3U);
-    // Where they are guessed is so near that few factors lead there.
+    // The guesses are so close that few factors are needed.
     const int forFrames = deformer.statistics().factorizations - other.statistics().factorizations;
     qInfo("%d factors for 3 frames, %d for the steps", forFrames, other.statistics().factorizations);
     QVERIFY(forFrames <= 12);
@@ -337,8 +337,8 @@ void bucklesAndComesBack() {
     QVERIFY(distance(deformer.state().points, mesh->points) < 1e-8);
 }
 
-/// The ends of a strip come together, so that it buckles, and then turn: one way it bends further, the other
-/// way it snaps to the other side.
+/// The ends of a strip come together, so that it buckles, and then rotate: in one direction it bends further,
+/// in the other it snaps to the other side.
 void snapsAreReported() {
     const auto mesh = std::make_shared<SimplicialMesh<2>>(samples::strip<2>(48, 4, 4));
     for (int v = 0; v < mesh->vertexCount(); ++v) mesh->points(1, v) *= 0.3;  // slender
@@ -372,7 +372,7 @@ void snapsAreReported() {
     QCOMPARE(std::max(snaps[0], snaps[1]), 1);
 }
 
-/// When a pin lets go, the shape is at once where it rests without it; here that is its rest.
+/// When a pin is released, the shape is at once in its equilibrium without it, here at rest.
 void letsGo() {
     const auto mesh = std::make_shared<SimplicialMesh<2>>(samples::strip<2>(24, 6, 4));
     auto material = Material<2>::uniform(mesh->cellCount(), phi::kMetr);
@@ -428,7 +428,7 @@ void bothMemoriesAgree() {
     QVERIFY(distance(shapes[0], shapes[1]) < 2e-3);
 }
 
-/// The run goes on to the same bits after a pause, from its state in another deformer.
+/// The run resumes with the same bits after a pause, from its state in another deformer.
 void resumesToTheSameBits() {
     const Bend<2> bend(24, 6, 4, 1.5, phi::kMetr);
     const auto elastic = withMemory(*bend.material, kElastic);
@@ -471,7 +471,7 @@ void dragIsElastic(double phi) {
     QVERIFY(drag.constraintError() < 1e-12);
 }
 
-/// One handle turns every vertex by a right angle, and the shape settles.
+/// One handle rotates every vertex by a right angle, and the shape settles.
 template <int Dim>
 void nothingIsFree(double memory) {
     Bend<Dim> bend(6, 2, 3, kPi / 2);

@@ -277,7 +277,7 @@ void TestFoam::cellsAndPatches() {
     }
 }
 
-/// A wedge on a hexahedron with a pyramid on top, and a tetrahedron at its side.
+/// A wedge is on a hexahedron with a pyramid on top, and a tetrahedron is at its side.
 void TestFoam::kindsOfCells() {
     Points3 p(3, 12);
     p << 0, 1, 1, 0, 0, 1, 1, 0, 0.5, 2, 2, 3,  //
@@ -309,8 +309,8 @@ void TestFoam::kindsOfCells() {
     QVERIFY(std::abs(sum - expected) < 1e-12);
 }
 
-/// Two hexagonal prisms, one on the other, on a third one of five corners: filled by tetrahedra around
-/// vertices within, which neighbours share; the case gets its own points back alone.
+/// Two hexagonal prisms, one on the other, are on a third one of five corners. They are filled by tetrahedra
+/// around inner vertices, which neighbours share; the case gets only its own points back.
 void TestFoam::polyhedra() {
     Points3 p(3, 23);
     std::vector<std::vector<int>> cells{
@@ -362,7 +362,8 @@ void TestFoam::pointsAreReplaced_data() {
     QTest::newRow("binary, single") << true << 4;
 }
 
-/// What is written is the file with other numbers: everything else, and numbers that stay, byte for byte.
+/// The written file differs in the numbers only: everything else, and unchanged numbers, are kept byte for
+/// byte.
 void TestFoam::pointsAreReplaced() {
     Encoding how;
     QFETCH(bool, binary);

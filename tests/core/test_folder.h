@@ -6,7 +6,7 @@
 
 namespace wend::samples {
 
-/// Files of a test, gone with it.
+/// A folder for a test's files, removed with it.
 class Folder {
   public:
     std::string path(const std::string& name) const { return m_folder.filePath(name.c_str()).toStdString(); }

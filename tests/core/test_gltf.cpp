@@ -200,7 +200,7 @@ void TestGltf::embeddedPointsFollowAffineMaps() {
                 .maxCoeff() < 1e-14);
 }
 
-/// However the cells are bent, a line of points in front of them is carried to a line without jumps.
+/// However the cells are bent, a line of points in front of them is mapped to a continuous line.
 void TestGltf::neighboursOutsideStayNeighbours() {
     SimplicialMesh<3> mesh;
     mesh.points.resize(3, 6);

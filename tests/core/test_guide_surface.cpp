@@ -113,7 +113,7 @@ void TestGuideSurface::normalsAreContinuous() {
     }
 }
 
-/// A single triangle goes on as its plane on all sides.
+/// A single triangle continues as its plane on all sides.
 void TestGuideSurface::beyondTheRim() {
     GuideMesh<3> mesh;
     mesh.points = Mat3::Identity();

@@ -1,5 +1,5 @@
-// MED, CGNS, Exodus and XDMF files: what comes in comes out, and damaged files are refused in one line,
-// whatever the HDF5 library does with them.
+// MED, CGNS, Exodus and XDMF files: everything read is written again, and damaged files are refused in one
+// line, whatever the HDF5 library does with them.
 
 #include <QtTest>
 #include <algorithm>
@@ -191,8 +191,8 @@ class TestHdf5Formats : public QObject {
         }
     }
 
-    /// Exodus has cells by blocks, and faces as sides of cells: the same cells, groups and values in that
-    /// order, and all of it again when written twice.
+    /// Exodus has cells in blocks, and faces as sides of cells: cells, groups and values are the same in that
+    /// order, also when written twice.
     void exodus() {
         MeshFile file = vocabulary();
         const int first = static_cast<int>(file.points.cols()), hexahedron = file.cells.size();
@@ -236,7 +236,7 @@ class TestHdf5Formats : public QObject {
         QCOMPARE(printedAs("a.exo", again).bytes, source.bytes);
     }
 
-    /// Bytes changed, cut off and left out: a mesh, or one line.
+    /// Bytes are changed, truncated and removed: the result is a mesh, or one line.
     void damaged_data() {
         vocabularies_data();
         QTest::newRow("a.exo") << QString("a.exo") << false;

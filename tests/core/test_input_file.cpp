@@ -1,4 +1,4 @@
-// The door that all files come in by, and text of theirs as it may be shown.
+// The reading of all input files, and texts from files made safe to print.
 
 #include <QtTest>
 

@@ -116,7 +116,7 @@ class TestInputFormats : public QObject {
     QTemporaryDir m_folder;
 };
 
-/// What is written comes back: seams of texture points are closed again, and each corner has its own.
+/// A written file is read back: seams of texture points are closed again, and each corner has its own.
 void TestInputFormats::glbOfOurOwn() {
     Skin skin;
     skin.points = Points3(3, 4);
@@ -140,7 +140,7 @@ void TestInputFormats::glbOfOurOwn() {
     QCOMPARE(back.materials.at(1).colour, skin.materials[1].colour);
 }
 
-/// Single precision of a shape of size 1 at a distance of 1e6 would be off by 0.06.
+/// Single precision would give a shape of size 1 at a distance of 1e6 an error of 0.06.
 void TestInputFormats::glbFarFromTheOrigin() {
     Skin skin;
     skin.points = Points3::Random(3, 30).colwise() + Vec3(1e6, -3e6, 2e5);
@@ -151,7 +151,8 @@ void TestInputFormats::glbFarFromTheOrigin() {
     QVERIFY((back.points - skin.points).cwiseAbs().maxCoeff() < 1e-6);
 }
 
-/// Places multiply along the tree: a translation of a child in a parent that is turned about x and scaled.
+/// Transforms multiply along the tree: a child with a translation is in a parent that is rotated about x and
+/// scaled.
 void TestInputFormats::glbOfNodes() {
     put("nodes.glb", square("{'children': [1, 2], 'rotation': [0.70710678118654752, 0, 0, "
                             "0.70710678118654752], 'scale': [2, 2, 2]}, "

@@ -74,8 +74,8 @@ struct Drag {
         m.r /= m.measure;
         return m;
     }
-    /// The rigid motion v = u + ω × (x − p) of least ∫|v|²: (Tr S I − S) ω = measure · r × u, S and r turned;
-    /// by RK4.
+    /// Returns the rigid motion v = u + ω × (x − p) of least ∫|v|²: (Tr S I − S) ω = measure · r × u, with S
+    /// and r rotated; integrated by RK4.
     Points<Dim> trailed() const {
         const Moments m = moments();
         const Vec3 u = raised(by);
@@ -146,7 +146,7 @@ class TestIntegrationDeformer : public QObject {
         }
     }
 
-    /// The whole problem scaled and moved, the y axis kept: the same shape.
+    /// The whole problem is scaled and moved, with the same y axis: the shape is the same.
     template <int Dim>
     void scaledAndMoved() {
         Bend<Dim> bend(12, 3, 4, 2), other = bend;
@@ -177,8 +177,7 @@ class TestIntegrationDeformer : public QObject {
             const Points<Dim> expected = (scale * runTo(a, 1)).colwise() + offset;
             const double error =
                 distance(runTo(b, 1), expected) / (scale * boundingBoxDiagonal<Dim>(bend.mesh->points));
-            // Iterations with a factor in single precision carry that into the part of the velocity that its
-            // tolerance leaves open.
+            // Iterations with a factor in single precision let the tolerance of the velocity amplify that.
             QVERIFY2(error < (velocityTolerance == 0 ? 1e-10 : 1e-7), qPrintable(QString::number(error)));
             QCOMPARE(a.statistics().evaluations, b.statistics().evaluations);
         }
@@ -210,7 +209,8 @@ class TestIntegrationDeformer : public QObject {
             QVERIFY(identical(resumed.state().points, state.points));
             QVERIFY(identical(runTo(resumed, 1), expected));
         }
-        // The state behind the last breakpoint but one, with the late handle only known from then on.
+        // The state behind the last breakpoint but one continues with the late handle, which is only known
+        // from then on.
         Bend<Dim> before = bend;
         before.handles.pop_back();
         Deformer<Dim> other = before.deformer(options);
@@ -263,7 +263,7 @@ class TestIntegrationDeformer : public QObject {
         }
     }
 
-    /// A move of a ten-thousandth of the time is not stepped over, and nothing happens around it.
+    /// A motion of a ten-thousandth of the time is not stepped over, and nothing happens around it.
     template <int Dim>
     void shortWindowsAreSeen() {
         Bend<Dim> bend(8, 2, 4, 0);
@@ -280,7 +280,7 @@ class TestIntegrationDeformer : public QObject {
         QCOMPARE(times.front(), move.start);
         QVERIFY(std::find(times.begin(), times.end(), move.end) != times.end());
         QCOMPARE(times.back(), 1.0);
-        // The same move over all the time is the same shape: velocity is linear in the handle's.
+        // The same motion over all the time gives the same shape: velocity is linear in the handle's.
         bend.handles[1].motions = {Motion<Dim>{Translate<Dim>{0.4 * Vec<Dim>::Unit(1)}}};
         Deformer<Dim> slow = bend.deformer();
         QVERIFY(distance(runTo(slow, 1), end) < 1e-9);
@@ -350,7 +350,7 @@ class TestIntegrationDeformer : public QObject {
         QVERIFY(deformer.statistics().steps < 1000);
     }
 
-    /// The right end goes straight through the left one, which is held.
+    /// The right end moves straight through the left one, which is held.
     template <int Dim>
     void pushedThroughAnEdge() {
         Bend<Dim> bend(8, 2, 2, 0);
@@ -406,7 +406,7 @@ class TestIntegrationDeformer : public QObject {
         QVERIFY(deformer.velocity().isZero(0));
     }
 
-    /// A handle that acts for part of the time: before and after it the point is free.
+    /// A handle acts for part of the time: before and after it the point is free.
     template <int Dim>
     void partTimeHandles() {
         Bend<Dim> bend(10, 2, 4, 1);
@@ -427,7 +427,8 @@ class TestIntegrationDeformer : public QObject {
         QVERIFY(deformer.statistics().constraintError <= 1e-12);
     }
 
-    /// Handles changed on the way: as if the new motion had been there from the start.
+    /// Handles are changed during the motion: the result is as if the new motion had been there from the
+    /// start.
     template <int Dim>
     void changedOnTheWay() {
         Bend<Dim> bend(10, 2, 4, 1);
@@ -440,7 +441,7 @@ class TestIntegrationDeformer : public QObject {
         Deformer<Dim> whole = bend.deformer();
         live.setHandles(bend.handles);
         QVERIFY(identical(runTo(live, 1), runTo(whole, 1)));
-        // Handles that make no sense are refused, and nothing has changed.
+        // Invalid handles are refused, and nothing has changed.
         const Points<Dim> points = live.state().points;
         auto wrong = bend.handles;
         wrong.push_back(wrong[1]);

@@ -134,7 +134,7 @@ class TestIntegrationOrder : public QObject {
         }
     }
 
-    /// One step from the exact solution: the local error of the interpolant, and of the embedded error
+    /// One step from the exact solution gives the local error of the interpolant and of the embedded error
     /// estimate.
     void localOrders() {
         const std::vector<double> steps = {8, 12, 16, 24};
@@ -176,7 +176,7 @@ class TestIntegrationOrder : public QObject {
         QVERIFY(*step.result() == result);
     }
 
-    /// A right-hand side that jumps at both ends of the step: only the values inside it count.
+    /// The right-hand side jumps at both ends of the step: only the values inside it count.
     void jumpsAtTheEndsAreSeenFromInside_data() { orders_data(); }
     void jumpsAtTheEndsAreSeenFromInside() {
         QFETCH(int, method);

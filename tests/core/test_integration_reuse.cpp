@@ -25,7 +25,7 @@ IntegrationOptions optionsFor(Method method, double tolerance) {
     return options;
 }
 
-/// A turn, and then hardly any motion and sudden haste, so that steps are rejected.
+/// Returns a rotation, then hardly any motion, then a sudden fast one, so that steps are rejected.
 template <int Dim>
 Bend<Dim> jerkyBend(double phi = phi::kMetr) {
     Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 1.2, phi);
@@ -58,7 +58,7 @@ class TestIntegrationReuse : public QObject {
         }
     }
 
-    /// Against a far smaller tolerance, and against direct solves in the same method.
+    /// The result is compared with one at a far smaller tolerance, and with direct solves in the same method.
     template <int Dim>
     void staysWithinTolerance(Method method, double phi) {
         const Bend<Dim> bend(Dim == 2 ? 24 : 12, Dim == 2 ? 6 : 3, 4, 2, phi);
@@ -100,7 +100,7 @@ class TestIntegrationReuse : public QObject {
         }
     }
 
-    /// Cancelled in the middle of a step, asked for its velocity, filmed: nothing changes.
+    /// Cancelling in the middle of a step, evaluating its velocity and writing frames change nothing.
     template <int Dim>
     void questionsChangeNothing(Method method) {
         const Bend<Dim> bend = jerkyBend<Dim>();
@@ -125,7 +125,7 @@ class TestIntegrationReuse : public QObject {
         QVERIFY(identical(disturbed.state().points, expected));
     }
 
-    /// As many unknowns as it takes for two threads to be used.
+    /// There are as many unknowns as two threads need.
     template <int Dim>
     void threadsChangeNothing(Method method) {
         const Bend<Dim> bend(Dim == 2 ? 144 : 60, Dim == 2 ? 36 : 7, 4, 0.5);

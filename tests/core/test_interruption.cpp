@@ -1,5 +1,5 @@
-// A wish to stop that comes in the middle of a velocity field: the solver ends, and what follows has the same
-// bits as if nobody had wished anything.
+// A request to stop in the middle of a velocity field ends the solver, and the following computations have
+// the same bits as without it.
 #include <QTest>
 #include <mutex>
 #include <set>
@@ -15,7 +15,7 @@ using samples::Bend;
 
 namespace {
 
-/// Tells of every assembly and product before it does them.
+/// Reports every assembly and product before it does them.
 template <int Dim>
 class ToldBackEnd final : public BackEnd<Dim> {
   public:
@@ -61,7 +61,7 @@ Bend<Dim> bendOf(double phi) {
     return Bend<Dim>(Dim == 2 ? 16 : 8, Dim == 2 ? 4 : 2, 4, 1.5, phi);
 }
 
-/// However often and wherever it is interrupted.
+/// The result is the same for any number and place of interruptions.
 template <int Dim>
 void goesOnToTheSameBits(double phi) {
     const Bend<Dim> bend = bendOf<Dim>(phi);
@@ -99,7 +99,7 @@ Deformer<Dim> steppedDeformer(SolverKind solver) {
     return Deformer<Dim>(bend.mesh, bend.material, bend.handles, options, BackEndKind::Cpu);
 }
 
-/// Wherever it tells how far it is: within the levels, too.
+/// Progress is reported within the levels, too.
 template <int Dim>
 void multigridGoesOnToTheSameBits() {
     Deformer<Dim> whole = steppedDeformer<Dim>(SolverKind::Multigrid),
@@ -129,7 +129,7 @@ void multigridGoesOnToTheSameBits() {
     QVERIFY(cut.state().points == whole.state().points);
 }
 
-/// From the end of one step to that of the next, never back.
+/// Progress runs from the end of one step to that of the next, and never back.
 template <int Dim>
 void progressMovesWithinSteps(SolverKind solver) {
     Deformer<Dim> deformer = steppedDeformer<Dim>(solver);
@@ -167,8 +167,8 @@ class TestInterruption : public QObject {
     void progressMovesWithinSteps();
 };
 
-/// Within its factorization and between its iterations, at once: no piece of work is begun after the wish,
-/// but what is under way.
+/// The solve stops within its factorization and between its iterations at once: no piece of work begins after
+/// the request.
 void TestInterruption::solveStops() {
     const Bend<3> bend = bendOf<3>(phi::kMetr);
     Alarm alarm;
@@ -197,7 +197,7 @@ void TestInterruption::solveStops() {
     }
 }
 
-/// A factor that was stopped is none, and the next one is as if there had been none.
+/// A factorization that was stopped leaves no factor, and the next one is as if it had not happened.
 void TestInterruption::factorizationStops() {
     const Bend<3> bend = bendOf<3>(phi::kMetr);
     const auto plan = std::make_shared<const AssemblyPlan<3>>(makeAssemblyPlan(*bend.mesh, true));

@@ -1,4 +1,4 @@
-// Parts that touch: where they hang together, and where they only hang.
+// Parts that touch: where they are joined, and where they only touch.
 
 #include <QtTest>
 
@@ -55,7 +55,7 @@ void soupHangsTogether() {
             QVERIFY(joined.mesh.points.col(joined.mesh.cells[c][k]) == grid.points.col(grid.cells[c][k]));
 }
 
-/// Layers that share places but not boundaries are none of each other's business.
+/// Layers that share places but not boundaries do not affect each other.
 template <int Dim>
 void layersStayApart() {
     const auto grid = samples::grid<Dim>(2);

@@ -8,13 +8,13 @@
 
 using namespace wend;
 
-/// Limbs are known here by construction: shapes of unit squares, each of two triangles.
+/// Limbs are known by construction: shapes of unit squares, each of two triangles.
 class TestLimbOrder : public QObject {
     Q_OBJECT
   private slots:
     void armsLieOverTheBody_data();
     void armsLieOverTheBody();
-    void whatReachesFartherLiesInFront();
+    void fartherReachingCellsAreInFront();
     void bumpsAreNoLimbs();
     void limbsOfFiguresLieWhole_data();
     void limbsOfFiguresLieWhole();
@@ -24,7 +24,7 @@ class TestLimbOrder : public QObject {
 
 namespace {
 
-/// Marks stand for squares, blanks for none; rows from the top. `marks` gets the mark of every cell.
+/// Each mark is a square, each blank a gap; rows are from the top. `marks` receives the mark of every cell.
 SimplicialMesh<2> drawn(const QStringList& rows, QString& marks) {
     const int width = static_cast<int>(rows[0].size()) + 1;
     SimplicialMesh<2> mesh;
@@ -41,7 +41,7 @@ SimplicialMesh<2> drawn(const QStringList& rows, QString& marks) {
     return mesh;
 }
 
-/// Of the cells with that mark the lowest and the highest place.
+/// Returns the lowest and the highest place of the cells with that mark.
 std::pair<int, int> placesOf(QChar mark, const QString& marks, const std::vector<int>& order) {
     int low = static_cast<int>(order.size()), high = -1;
     for (int c = 0; c < marks.size(); ++c)
@@ -81,8 +81,8 @@ struct Figure {
         }
         return {{loop}};
     }
-    /// What a cell belongs to: h, b, l, r (arms), m, n (legs), blank near the joints and at the shoulders,
-    /// which may belong to the trunk or to an arm.
+    /// Returns the part of a cell: h, b, l, r (arms), m, n (legs), blank near the joints and at the
+    /// shoulders, which may belong to the trunk or to an arm.
     QChar part(const Vec2& p) const {
         const double slack = std::max(0.9 * armWidth, 0.45 * trunkWidth), x = std::abs(p.x());
         if (p.y() < -8) return 'h';
@@ -102,8 +102,9 @@ void TestLimbOrder::armsLieOverTheBody_data() {
     for (int seed = 1; seed < 4; ++seed) QTest::addRow("mixed, seed %d", seed) << seed;
 }
 
-/// Whatever the cells are called; x is near a joint. Fingers (f, g) lie over the arm (a) that they grow from;
-/// the other arm (l) has the nearer tip, so that it lies behind that arm with its fingers as a whole.
+/// The order holds for any numbering of the cells; x is near a joint. Fingers (f, g) are over the arm (a)
+/// that they grow from; the other arm (l) has the nearer tip, so that it is behind that arm with its fingers
+/// as a whole.
 void TestLimbOrder::armsLieOverTheBody() {
     const QStringList rows{"                  xxffffff", "     bbbbbbb      x       ",
                            "llllxbbbbbbbxaaaaaa       ", "llllxbbbbbbbxaaaaaa       ",
@@ -133,8 +134,8 @@ void TestLimbOrder::armsLieOverTheBody() {
     QVERIFY(places('g').second < places('f').first);  // that finger is the longer one
 }
 
-/// Along half a strip.
-void TestLimbOrder::whatReachesFartherLiesInFront() {
+/// The order follows the distance along half a strip.
+void TestLimbOrder::fartherReachingCellsAreInFront() {
     QString marks;
     const SimplicialMesh<2> mesh = drawn({QString(41, 's'), QString(41, 's'), QString(41, 's')}, marks);
     const std::vector<int> order = limbOrder(mesh);
@@ -152,7 +153,8 @@ void TestLimbOrder::whatReachesFartherLiesInFront() {
                 QVERIFY(order[static_cast<std::size_t>(b)] > order[static_cast<std::size_t>(a)]);
 }
 
-/// A row of teeth on a tail: the tail is one limb, in which places follow the way, not the teeth.
+/// A row of teeth is on a tail: the tail is one limb, in which places are ordered along its path, not by the
+/// teeth.
 void TestLimbOrder::bumpsAreNoLimbs() {
     QString marks;
     const SimplicialMesh<2> mesh = drawn({"bbbbbb     t   t   t   t    ", "bbbbbb1111111122222223333333",
@@ -202,7 +204,7 @@ void TestLimbOrder::limbsOfFiguresLieWhole_data() {
     }
 }
 
-/// Arms lie over head and trunk, and over thicker legs; any two places of one limb lie on the same side of
+/// Arms are over head and trunk, and over thicker legs; any two places of one limb are on the same side of
 /// another one.
 void TestLimbOrder::limbsOfFiguresLieWhole() {
     QFETCH(Figure, figure);

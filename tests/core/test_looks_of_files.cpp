@@ -1,5 +1,5 @@
-// Colours and normals of vertices and faces, and whole numbers of eight bytes: in files, through them and
-// back.
+// Colours and normals of vertices and faces, and integers of eight bytes, are read, written and kept through
+// files.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -51,7 +51,7 @@ std::vector<float> attribute(const std::string& path, const char* name) {
     return values;
 }
 
-/// IEC 61966-2-1, once more.
+/// Implements IEC 61966-2-1 independently.
 double light(double shown) {
     return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
 }
@@ -201,7 +201,7 @@ void TestLooksOfFiles::normalsOfCornersAreTold() {
     QVERIFY(other.contains("f 1//4 3//5 4//6\n"));
 }
 
-/// Numbers that no double is, in every encoding of both families.
+/// The numbers have no exact double, in every encoding of both families.
 void TestLooksOfFiles::longWholeNumbers() {
     const samples::Folder folder;
     const std::string numbers =

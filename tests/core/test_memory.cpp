@@ -1,5 +1,5 @@
-// Memory of the rest shape and settling: the energy of the map from rest, its gradient, and what the flow
-// makes of them, one body for 2D and 3D.
+// Memory of the rest shape and settling: the energy of the map from rest, its gradient, and their effect on
+// the flow, one body for 2D and 3D.
 #include <Eigen/Dense>
 #include <QTest>
 
@@ -32,7 +32,7 @@ void forMaterials(Body&& body) {
             body(EnergyWeights::of(phi), B, random);
 }
 
-/// w(I + hJ) = h² e(J) + O(h³); the odd terms go in the mean of both signs.
+/// w(I + hJ) = h² e(J) + O(h³); the odd terms cancel in the mean of both signs.
 template <int Dim>
 void expansionIsTheEnergy() {
     forMaterials<Dim>([](EnergyWeights w, const Mat<Dim>& B, std::mt19937& random) {
@@ -184,7 +184,7 @@ IntegrationOptions settling(double from, double to, double tolerance = 1e-4) {
     return options;
 }
 
-/// Moves that leave the ends alone: W has a minimum here, and its slope is no greater than the force says.
+/// The moves leave the ends alone: W has a minimum here, and its slope is no greater than the force allows.
 template <int Dim>
 void noMoveLowersEnergy(const Bend<Dim>& bend, Deformer<Dim>& deformer) {
     std::mt19937 random(9);
@@ -209,7 +209,7 @@ void noMoveLowersEnergy(const Bend<Dim>& bend, Deformer<Dim>& deformer) {
     }
 }
 
-/// After the window no admissible move of the vertices lowers W; and nothing flips on the way.
+/// After the interval no admissible move of the vertices lowers W, and nothing flips on the way there.
 template <int Dim>
 void settledIsStationary(double phi, bool anisotropic) {
     Bend<Dim> bend(Dim == 2 ? 24 : 9, Dim == 2 ? 6 : 3, 4, 1.5, phi);
@@ -236,7 +236,7 @@ void settledIsStationary(double phi, bool anisotropic) {
     QVERIFY(deformer.statistics().constraintError < 1e-12);
 }
 
-/// Nothing moves a shape that is at rest, or that has only been moved about.
+/// A shape that is at rest, or has only been moved rigidly, stays so.
 void restStaysAtRest() {
     const Bend<2> bend(12, 4, 3, 0);
     Handle<2> hand = bend.handles[1];
@@ -256,7 +256,8 @@ void restStaysAtRest() {
     QVERIFY(still.state().points == bend.mesh->points);
 }
 
-/// The whole problem turned, by no right angle, scaled and moved: the same shape, turned, scaled and moved.
+/// The whole problem is rotated (not by a right angle), scaled and moved: the result is the same shape,
+/// transformed alike.
 template <int Dim>
 void turnedInputTurnsTheResult(double phi, bool anisotropic) {
     std::mt19937 random(8);
@@ -316,8 +317,8 @@ void turnedInputTurnsTheResult(double phi, bool anisotropic) {
 struct Residue {
     double farthest = NAN, mean = NAN;
 };
-/// One turn of radius 0.1 of the right end's middle vertex, the left end held: how far the shape is from
-/// rest, in sizes.
+/// Moves the right end's middle vertex once around a circle of radius 0.1 with the left end held; returns the
+/// distance of the shape from rest, in sizes.
 Residue residueOf(double memory, double time = 1) {
     const auto mesh = std::make_shared<SimplicialMesh<2>>(samples::strip<2>(48, 12, 4));
     Material<2> material = Material<2>::uniform(mesh->cellCount(), phi::kMetr);
@@ -410,7 +411,7 @@ class TestMemory : public QObject {
             QVERIFY(std::abs(left.mean / mean[i] - 1) < 0.2);
             QVERIFY(left.mean < 0.7 * std::exchange(last, left.mean));
         }
-        // What counts is the way, not the time that it takes.
+        // The path is decisive, not the time that it takes.
         const double slow = residueOf(10, 4).mean, usual = residueOf(10).mean;
         QVERIFY2(std::abs(slow / usual - 1) < 0.02, qPrintable(QString("%1 %2").arg(slow).arg(usual)));
     }

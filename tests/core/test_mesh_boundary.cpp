@@ -1,4 +1,4 @@
-// Boundaries, fields and groups in files for other programs, read by readers that know nothing of Wend's.
+// Boundaries, fields and groups in files for other programs, read by independent readers.
 
 #include <QtTest>
 
@@ -79,7 +79,7 @@ class TestMeshBoundary : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Every triangle has its tetrahedron's values, wherever it stands in the file.
+    /// Every triangle has its tetrahedron's values, wherever it is in the file.
     void boundaryHasItsCellsValues_data() { everyFormat(); }
     void boundaryHasItsCellsValues() {
         QFETCH(QString, name);
@@ -107,7 +107,7 @@ class TestMeshBoundary : public QObject {
         QVERIFY(std::isnan(mesh.cellData.at("error").back()));
     }
 
-    /// A boundary that was made with the cells stays out of formats for looking at, unless it is asked for.
+    /// A boundary that was made with the cells is left out of visualization formats unless it is requested.
     void madeBoundaryGoesToSolvers_data() { everyFormat(); }
     void madeBoundaryGoesToSolvers() {
         QFETCH(QString, name);
@@ -132,7 +132,7 @@ class TestMeshBoundary : public QObject {
         QCOMPARE(cellsOf(written(read, name.toStdString(), options), 3).size(), file.triangles.size());
     }
 
-    /// Of a mesh that was made, vertices without a cell stay out, and what stands at the others keeps them.
+    /// In a generated mesh, vertices without a cell are left out, and values at the others are kept.
     void spareVerticesStayOut_data() { everyFormat(); }
     void spareVerticesStayOut() {
         QFETCH(QString, name);
@@ -180,7 +180,7 @@ class TestMeshBoundary : public QObject {
         for (const auto& cell : flat.cells) QCOMPARE(cell.physical, 1);
     }
 
-    /// Tags stay what they are; two groups in one entity make two entities.
+    /// Tags are unchanged; two groups in one entity make two entities.
     void tagsOfGmsh_data() { groupsOfGmsh_data(); }
     void tagsOfGmsh() {
         QFETCH(QString, name);
@@ -207,7 +207,7 @@ class TestMeshBoundary : public QObject {
             if (field.name == "physical") QCOMPARE(field.values, physical.values);
     }
 
-    /// What the plane has is filled up to what Gmsh draws: vectors of three, tensors of nine.
+    /// Values in the plane are filled up to the sizes that Gmsh draws: vectors of three, tensors of nine.
     void valuesOfThePlane_data() { groupsOfGmsh_data(); }
     void valuesOfThePlane() {
         QFETCH(QString, name);

@@ -71,7 +71,7 @@ class TestMeshDamage : public QObject {
 
   private slots:
     void truncated_data() { allEncodings(); }
-    /// At every byte of a small file. What is cut off by more than its last line is refused.
+    /// The file is truncated at every byte. If more than its last line is lost, it is refused.
     void truncated() {
         QFETCH(Encoding, encoding);
         QFETCH(bool, volume);
@@ -120,7 +120,7 @@ class TestMeshDamage : public QObject {
         }
     }
 
-    /// Pieces of the file left out or doubled: counts no longer fit.
+    /// Pieces of the file are left out or doubled: counts no longer fit.
     void shuffled_data() { allEncodings(); }
     void shuffled() {
         QFETCH(Encoding, encoding);
@@ -145,7 +145,7 @@ class TestMeshDamage : public QObject {
         }
     }
 
-    /// Every file under every other extension.
+    /// Every file is read under every other extension.
     void ofAnotherKind_data() { allEncodings(); }
     void ofAnotherKind() {
         QFETCH(Encoding, encoding);
@@ -186,7 +186,7 @@ class TestMeshDamage : public QObject {
         }
     }
 
-    /// What a header says is never allocated before the file can hold it.
+    /// No size from a header is allocated unless the file can hold it.
     void absurdCounts_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("bytes");
@@ -271,7 +271,7 @@ class TestMeshDamage : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, readMeshFile(folder.path(name.toStdString())));
     }
 
-    /// The place and the reason, word by word.
+    /// The place and the reason are checked word by word.
     void reasons_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("bytes");

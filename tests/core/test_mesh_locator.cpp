@@ -65,7 +65,7 @@ void findsRandomPoints() {
     QVERIFY(inside > 50 && outside > 50);
 }
 
-/// Vertices, and the midpoints of edges and facets: rounding must not let them fall between two cells.
+/// Rounding must not make points fall between two cells at vertices, or at the midpoints of edges and facets.
 template <int Dim>
 void findsPointsOnFacets(double offset) {
     auto mesh = samples::jitteredGrid<Dim>(Dim == 2 ? 10 : 4);
@@ -87,7 +87,7 @@ void findsPointsOnFacets(double offset) {
         if (Dim == 3) p = (p + mesh.points.col(facet.vertices[Dim - 1])) / 2;
         const auto found = locator.find(p);
         QVERIFY(found.has_value());
-        // at a large offset the rounded point may lie on either side, by more than the tolerance
+        // at a large offset the rounded point may be on either side, by more than the tolerance
         if (offset == 0) QCOMPARE(found->cell, std::max(facet.cells[0], facet.cells[1]));
         QVERIFY(found->cell == facet.cells[0] || found->cell == facet.cells[1]);
     }
@@ -132,7 +132,7 @@ void passesOverBadCells() {
     QCOMPARE(empty.nearestVertex(Vec<Dim>::Zero()), -1);
 }
 
-/// A box that is a million times longer than wide, a point, and cells that all reach across the whole mesh.
+/// A box that is a million times longer than wide, a point, and cells that all extend across the whole mesh.
 template <int Dim>
 void copesWithBadProportions() {
     auto needle = samples::grid<Dim>(5);

@@ -239,7 +239,7 @@ class TestMeshReading : public QObject {
         const auto file = readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
         QVERIFY(file.triangles == square);
     }
-    /// So do those of texture coordinates, from the latest of their own.
+    /// Texture coordinates count back from their own latest one in the same way.
     void negativeTexturesCountFromTheLatest() {
         const auto file = readAs("a.obj",
                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 9 9\nvt .1 .2\nvt .3 .4\nvt .5 .6\n"
@@ -248,7 +248,7 @@ class TestMeshReading : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError,
                                  readAs("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/-2 2/1 3/1\n"));
     }
-    /// An entity in several groups is in its first.
+    /// An entity in several groups is put into the first.
     void firstGroupOfAnEntity() {
         const auto file = readAs("a.msh",
                                  "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 2 0\n"
@@ -314,7 +314,7 @@ class TestMeshReading : public QObject {
         QVERIFY((file.triangles == Triangles{{0, 1, 2}}));
         QCOMPARE(valuesOf(file, "m"), (std::vector<double>{2, 4}));
     }
-    /// Numbers of nodes and cells are names, in the values too.
+    /// The numbers of nodes and cells are names, for values as well.
     void ucdValues() {
         const auto file =
             readAs("a.inp",
@@ -418,7 +418,8 @@ class TestMeshReading : public QObject {
     }
 
   private:
-    /// way: 0 inline base64, 1 the same with the header for itself, 2 appended base64, 3 appended raw
+    /// `way` is 0 for inline base64, 1 for the same with a separate header, 2 for appended base64, 3 for
+    /// appended raw data
     static void addVtu(std::endian order, Scalar header, bool compressed, int way) {
         if (compressed && way == 1) return;
         using enum formats::VtuEncoding::Compressor;

@@ -140,7 +140,7 @@ class TestMeshRoundtrip : public QObject {
         if (encoding.fields) QCOMPARE(find(back, "ref")->values, file.fields[0].values);
     }
 
-    /// So are their labels, and their names in Gmsh's files.
+    /// The labels of boundaries are kept, and their names in Gmsh's files.
     void labels_data() { allFormats(true); }
     void labels() {
         QFETCH(Encoding, encoding);
@@ -175,7 +175,7 @@ class TestMeshRoundtrip : public QObject {
             QVERIFY(samples::sameBits(file.points, back.points));
     }
 
-    /// A user's locale with a decimal comma changes neither what is written nor what is read.
+    /// A user's locale with a decimal comma changes neither writing nor reading.
     void locale_data() { allFormats(false); }
     void locale() {
         QFETCH(Encoding, encoding);

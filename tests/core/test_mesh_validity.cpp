@@ -177,7 +177,7 @@ SimplicialMesh<Dim> fan(int cells) {
     return mesh;
 }
 
-/// A common way to make a disc; a search through the facets of its hub would take minutes.
+/// A fan is a common way to make a disc; a search through the facets of its hub would take minutes.
 template <int Dim>
 void facetsOfFan() {
     const int cells = 200000;
@@ -206,7 +206,8 @@ void facetsOfFan() {
     }
 }
 
-/// A box's diagonal, however it is turned, moved, scaled, and cut into cells; spare vertices do not count.
+/// The size of a box is its diagonal, however it is rotated, moved, scaled, and cut into cells; spare
+/// vertices do not count.
 template <int Dim>
 void sizeIsOfTheShape() {
     for (int n : {1, 3}) {
@@ -261,7 +262,7 @@ class TestMeshValidity : public QObject {
     }
     void size2D() { sizeIsOfTheShape<2>(); }
     void size3D() { sizeIsOfTheShape<3>(); }
-    /// Of a regular polygon with n corners the moments are known.
+    /// The moments of a regular polygon with n corners are known.
     void sizeOfPolygon() {
         constexpr int kCorners = 12;
         Points2 points = Points2::Zero(2, kCorners + 1);

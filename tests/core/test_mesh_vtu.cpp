@@ -1,5 +1,5 @@
-// .vtu against files that another program wrote (tests/data/vtu/make.py), and against claims that no file of
-// its size can keep.
+// .vtu files that another program wrote (tests/data/vtu/make.py), and headers whose sizes no file of that
+// length can have.
 
 #include <sys/resource.h>
 
@@ -104,7 +104,8 @@ void TestMeshVtu::claims_data() {
                                      << "it claims more numbers than such a file can hold";
 }
 
-/// 400 MB of zeros in 500 kB, or 2 MB a hundred times over (as numbers 1.6 GB): said so before they are made.
+/// 400 MB of zeros in 500 kB, or 2 MB a hundred times over (as numbers 1.6 GB), are refused before they are
+/// unpacked.
 void TestMeshVtu::claims() {
     QFETCH(int, megabytes);
     QFETCH(int, fields);

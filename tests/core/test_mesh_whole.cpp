@@ -1,5 +1,5 @@
-// What comes in comes out: polygons, cells of every kind, groups, lists and values, in every format that
-// holds them; and what becomes of them in the others.
+// Everything read is written again: polygons, cells of every kind, groups, lists and values, in every format
+// that supports them; and the losses in the others.
 
 #include <QtTest>
 #include <algorithm>
@@ -44,7 +44,8 @@ std::string reasonOf(const std::string& name, const std::string& text) {
     return {};
 }
 
-/// The letter L of area 5, a star around a corner that sees it all not from the first, and a comb.
+/// The letter L of area 5, a star-shaped polygon that is visible from another corner than the first,
+/// and a comb.
 const std::string kPoints = "0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n";
 
 /// Two boxes beside each other whose vertices have numbers in any order.
@@ -160,7 +161,7 @@ class TestMeshWhole : public QObject {
             for (const auto& t : back.triangles) QVERIFY(cellMeasure<2>(back.points.topRows<2>(), t) > 0);
         }
     }
-    /// An arrowhead is cut from its notch; polygons that are convex are fans as ever.
+    /// An arrowhead is cut from its notch; convex polygons are fans as before.
     void quadrilaterals() {
         const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n";
         const samples::Folder folder;
@@ -207,7 +208,8 @@ class TestMeshWhole : public QObject {
         QVERIFY(reasonOf("b.obj", "v 0 0 0\nv 1 0 3\nv 1 1 0\nv .5 2 3\nv 0 1 0\nf 1 2 3 4 5\n")
                     .starts_with("line 6: the corners of the polygon lie far from a plane"));
     }
-    /// Points on a line but for the last bit are told apart; products of doubles alone would not do.
+    /// Points that are collinear except for the last bit are distinguished; products of doubles alone would
+    /// not suffice.
     void exactOrientation() {
         const Eigen::Vector2d a(12, 12), b(24, 24);
         for (int k = -20; k <= 20; ++k) {
@@ -241,7 +243,7 @@ class TestMeshWhole : public QObject {
         QVERIFY(std::abs(volumeOf(all) - (1.0 / 6 + 1 + 0.5 + 1.0 / 3)) < 1e-14);
     }
 
-    /// Every format gets the same cells, values and groups back that it was given, by kinds in some.
+    /// Every format returns the cells, values and groups that it was given, sorted by kinds in some.
     void vocabularies_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("version");
@@ -277,7 +279,7 @@ class TestMeshWhole : public QObject {
         QCOMPARE(find(back, "heat")->values, find(file, "heat")->values);
         if (name == "a.vtu" || name == "a.vtk") QVERIFY(find(back, "count")->type == formats::Scalar::Int32);
     }
-    /// Named once, in one line.
+    /// A loss is named once, in one line.
     void losses() {
         const MeshFile file = vocabulary();
         QCOMPARE(lostInFile("a.vtu", file, {}),
@@ -287,7 +289,8 @@ class TestMeshWhole : public QObject {
         QVERIFY2(stl.find("1 hexahedron is written as tetrahedra") != std::string::npos, stl.c_str());
         QVERIFY2(stl.find("2 fields (count, heat)") != std::string::npos, stl.c_str());
     }
-    /// An element in two groups: both in 4.1; Gmsh's version 2 lists it twice, which is one cell.
+    /// An element is in two groups: version 4.1 keeps both; Gmsh's version 2 lists it twice, which is one
+    /// cell.
     void overlappingGroups() {
         const samples::Folder folder;
         MeshFile file = vocabulary();
@@ -357,7 +360,7 @@ class TestMeshWhole : public QObject {
         QVERIFY(lostInFile("b.mesh", file, {}).empty());
         QVERIFY(lostInFile("b.vtu", file, {}).find("1 group of vertices") != std::string::npos);
     }
-    /// Faces beside a pair of TetGen's, and the number that counting begins with.
+    /// The files have faces beside the usual pair of TetGen's, and numbers that begin at 0 or 1.
     void facesOfTetgen() {
         const samples::Folder folder;
         folder.put("a.node", "4 3 0 1\n0 0 0 0 1\n1 1 0 0 2\n2 0 1 0 3\n3 0 0 1 4\n");
@@ -370,7 +373,7 @@ class TestMeshWhole : public QObject {
         QVERIFY(folder.get("b.node").ends_with("\n3 0 0 1 4\n"));
         QCOMPARE(groupVertices(file, "6", {}), (std::vector<int>{0, 1, 3}));
     }
-    /// All of a deck stays but the coordinates.
+    /// Everything in a deck except the coordinates is unchanged.
     void decks() {
         const samples::Folder folder;
         const std::string
@@ -408,7 +411,7 @@ class TestMeshWhole : public QObject {
         QVERIFY(samples::sameBits(readMeshFile(folder.path("b.bdf")).points, nastran.points));
         QVERIFY(folder.get("b.bdf").find("PSOLID,5,1\nENDDATA\n") != std::string::npos);
     }
-    /// A cell whose top is turned over has a negative corner.
+    /// A cell with its top inverted has a negative corner.
     void jacobians() {
         const MeshFile file = vocabulary();
         QVERIFY(turnedCells(file, file.points).empty());
@@ -417,7 +420,7 @@ class TestMeshWhole : public QObject {
         bent.col(8 + 0).z() = -3;  // a top corner of the hexahedron below its bottom
         QVERIFY(turnedCells(file, bent).find("the first cell 1") != std::string::npos);
     }
-    /// Normals turn with the surface, and keep their bits where it stands still.
+    /// Normals rotate with the surface, and keep their bits where it does not move.
     void normals() {
         MeshFile file = toMeshFile<2>(samples::grid<2>(2));
         const auto n = static_cast<std::size_t>(file.points.cols());

@@ -173,7 +173,7 @@ class TestMotion : public QObject {
         }
     }
 
-    /// The displacement counts, not where the curve lies: a curve given elsewhere moves the points alike.
+    /// The displacement counts, not the place of the curve: a curve given elsewhere moves the points alike.
     template <int Dim>
     void translationIsRelative() {
         auto points = windingBezier<Dim>();
@@ -202,7 +202,7 @@ class TestMotion : public QObject {
         }
     }
 
-    /// Twice as many points on a circle: the spline's error falls by 16 away from its natural ends.
+    /// Twice as many points on a circle reduce the spline's error by 16, away from its natural ends.
     template <int Dim>
     void splineOrder() {
         const auto error = [](int n) {
@@ -252,7 +252,7 @@ class TestMotion : public QObject {
         QVERIFY(std::abs(trajectory.breakTimes()[0] - 3.0 / 7) < 1e-15);
     }
 
-    /// The manual's formulas: in t², out the same from the other end, both 3t² − 2t³.
+    /// The easings follow the manual's formulas: in is t², out the same from the other end, both 3t² − 2t³.
     void easesAreTheManuals() {
         for (int k = 0; k <= 16; ++k) {
             const double t = k / 16.0;
@@ -313,7 +313,7 @@ class TestMotion : public QObject {
         QVERIFY((trajectory.at(12.5).position({0, 0}) - Vec2(1, 1.5)).norm() < 1e-14);
     }
 
-    /// Both frames of a planar curve turn with the tangent, past the inflection too.
+    /// Both frames of a planar curve rotate with the tangent, past the inflection too.
     void planarFrames() {
         for (const FrameKind kind : {FrameKind::Frenet, FrameKind::Minimal}) {
             const Trajectory<2> plane({curve<2>(Interpolation::Bezier, kind, sCurve<2>())});
@@ -350,7 +350,8 @@ class TestMotion : public QObject {
         QVERIFY(maxNorm(Q - expected) < 1e-3);  // the Frenet frame of a helix turns about its axis
     }
 
-    /// The rotation-minimizing frame against its differential equation, integrated by RK4 with many steps.
+    /// The rotation-minimizing frame is compared with its differential equation, integrated by RK4 with many
+    /// steps.
     void minimalFrameSolvesItsEquation() {
         const Trajectory<3> trajectory(
             {curve<3>(Interpolation::Bezier, FrameKind::Minimal, windingBezier<3>())});
@@ -383,8 +384,8 @@ class TestMotion : public QObject {
         QVERIFY2(error < 1e-9, qPrintable(QString::number(error)));
     }
 
-    /// The same where the curve nearly has a cusp and no step of the table is short enough for a rule of
-    /// lower order, against RK4 on the tangent's own formula.
+    /// The curve nearly has a cusp, where no step of the table is short enough for a rule of lower order; the
+    /// frame is compared with RK4 on the tangent's own formula.
     void minimalFrameOfSharpBends() {
         const std::vector<Vec3> points = {{0, 0, 0}, {1, 1, 0.1}, {0.02, 1, -0.1}, {1, 0.02, 0.15}};
         const Trajectory<3> trajectory({curve<3>(Interpolation::Bezier, FrameKind::Minimal, points)});
@@ -413,7 +414,7 @@ class TestMotion : public QObject {
         QVERIFY2(error < 1e-10, qPrintable(QString::number(error)));
     }
 
-    /// What easing means (contract): half the time, and how much of the way.
+    /// The fractions of the path at half the time are those that the documentation gives for each easing.
     void easingIsAsPromised() {
         const struct {
             Ease kind;
@@ -436,7 +437,7 @@ class TestMotion : public QObject {
         }
     }
 
-    /// Position and velocity agree to what the table promises, also where pieces join.
+    /// Position and velocity agree to the accuracy that the table promises, also where pieces join.
     void fineContinuity() {
         for (const FrameKind kind : {FrameKind::Frenet, FrameKind::Minimal}) {
             const Trajectory<3> trajectory({curve<3>(Interpolation::Spline, kind, windingPoints<3>())});
@@ -459,7 +460,7 @@ class TestMotion : public QObject {
         QVERIFY(maxNorm(trajectory.at(0.5).position.A - before) < 1e-14);
         QVERIFY(maxNorm(trajectory.at(2.0 / 3).position.A - before) < 1e-14);
         QVERIFY(maxNorm(trajectory.at(2.0 / 3 + 1e-9).position.A - before) < 1e-7);
-        // From there on Frenet's frame turns about the binormal of the second bend, which is x.
+        // From there on Frenet's frame rotates about the binormal of the second bend, which is x.
         const Mat3 second = trajectory.at(1).position.A * before.transpose();
         QVERIFY(maxNorm(second - Eigen::AngleAxisd(kPi / 2, Vec3::UnitX()).toRotationMatrix()) < 1e-13);
     }
@@ -491,7 +492,7 @@ class TestMotion : public QObject {
         }
     }
 
-    /// A corner is turned about over the neighbouring pieces: continuous, and complete in the end.
+    /// At a corner the frame rotates over the neighbouring pieces: continuously, and completely in the end.
     void cornersAreTurnedAbout() {
         const std::vector<Vec2> points = {{0, 0}, {1, 0}, {1, 1}, {3, 1}};
         const Trajectory<2> trajectory({curve<2>(Interpolation::Polyline, FrameKind::Minimal, points)});

@@ -64,7 +64,7 @@ struct Task {
     }
 };
 
-/// A grid held at one side, while some points of the other move anyhow.
+/// A grid is held at one side, while some points of the other move arbitrarily.
 template <int Dim>
 Task<Dim> sheared(Material<Dim> material, SimplicialMesh<Dim> mesh) {
     Task<Dim> task;
@@ -127,14 +127,14 @@ void TestMultigrid::fieldsAreThoseOfTheDirectSolver_data() {
         QTest::newRow(energy) << energy;
 }
 
-/// The error is estimated: at EQUIA, the worst here, as a third of what it is.
+/// The error is estimated: at EQUIA, the worst case here, as a third of its true value.
 void TestMultigrid::fieldsAreThoseOfTheDirectSolver() {
     QFETCH(QString, energy);
     compare<2>(energy);
     compare<3>(energy);
 }
 
-/// Points within cells, which depend on each other, and vertices that slide.
+/// The constraints include points within cells, which depend on each other, and sliding vertices.
 void TestMultigrid::constraintsOfAllKinds() {
     auto task = shearedUniform<3>(phi::kMetr);
     const auto& cells = task.mesh->cells;
@@ -150,7 +150,7 @@ void TestMultigrid::constraintsOfAllKinds() {
     QVERIFY2(difference < 4 * kTolerance, qPrintable(QString::number(difference)));
 }
 
-/// What one point leaves free is settled by the mass matrix.
+/// The mass matrix determines the motion that one point leaves free.
 void TestMultigrid::fewConstraints() {
     auto task = shearedUniform<3>(phi::kMetr);
     task.rows = {fixed(0)};
@@ -158,7 +158,7 @@ void TestMultigrid::fewConstraints() {
     QVERIFY(task.difference() < 10 * kTolerance);
 }
 
-/// Cells a hundredth as high as they are wide.
+/// The cells are a hundredth as high as they are wide.
 void TestMultigrid::thinCells() {
     auto mesh = grid<3>();
     for (auto& z : mesh.points.row(2)) z *= 0.01;
@@ -183,7 +183,7 @@ void TestMultigrid::sameBitsForAnyThreads() {
     }
 }
 
-/// Levels of an earlier shape serve, and are made again from what is remembered.
+/// Levels of an earlier shape are reused, and are made again from the remembered data.
 void TestMultigrid::memoryGoesOnToTheSameBits() {
     const auto task = shearedUniform<3>(phi::kMetr);
     auto solver = task.solver(SolverKind::Multigrid, kTolerance);
@@ -234,7 +234,7 @@ struct Fine {
         matrix.analyze(*plan, system, static_cast<int>(system.unknowns().size()), backEnd->workers());
         matrix.build(*backEnd);
     }
-    /// Without the matrix.
+    /// Computes the product without the matrix.
     Points<Dim> product(const Points<Dim>& x) const {
         Points<Dim> lifted = Points<Dim>::Zero(Dim, plan->vertexCount), Alifted, Kx;
         system.expand(x, lifted);
@@ -323,11 +323,11 @@ void compareWithEnergy() {
     const double fine = v.cwiseProduct(levels.product(v)).sum();
     Points<kModes> Ac(kModes, c.cols());
     levels.coarse.multiply(c, 0, levels.coarse.rows(), Ac.data());
-    // All of them in single precision.
+    // All entries are in single precision.
     QVERIFY(std::abs(c.cwiseProduct(Ac).sum() - fine) < 1e-5 * fine);
 }
 
-/// In the plane with the mass matrix alone: what is smoothed is what the energy sees of the fields.
+/// In the plane with the mass matrix alone, the smoothed part of a field is the part that the energy sees.
 template <int Dim>
 void compareLinearFields() {
     std::mt19937 random(10);
@@ -355,7 +355,7 @@ void compareLinearFields() {
 
 }  // namespace
 
-/// Rows are made of contributions around their vertices, the back end's product is made of stresses.
+/// Rows are sums of contributions around their vertices, the back end's product is made of stresses.
 void TestMultigrid::productsAreThoseOfTheBackEnd() {
     onEveryTarget([](SimdTarget) {
         compareAllProducts<2>();
@@ -371,7 +371,7 @@ void TestMultigrid::coarseMatrixIsTheEnergy() {
     });
 }
 
-/// But for the step that makes them smooth.
+/// Linear fields are coarse, except for the step that makes them smooth.
 void TestMultigrid::linearFieldsAreCoarse() {
     compareLinearFields<2>();
     compareLinearFields<3>();

@@ -1,4 +1,4 @@
-// Outlines added, taken away and cut: areas in closed form, places by even and odd, and what a mesher needs.
+// Outlines added, subtracted and cut: areas in closed form, even-odd places, and the mesher's requirements.
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -38,7 +38,7 @@ double ngonArea(double radius, int n) {
     return n * radius * radius * std::sin(2 * std::numbers::pi / n) / 2;
 }
 
-/// Signed, by the shoelace formula: of clean outlines.
+/// Returns the signed area of a clean outline by the shoelace formula.
 double signedSum(const Outline& outline) {
     double twice = 0;
     for (const Loop& loop : outline.loops)
@@ -113,11 +113,11 @@ void TestOutlineCombination::holesAndIslands() {
     QCOMPARE(meshedArea(island), 304.0);
     // The hole is filled again, with its island.
     QCOMPARE(signedSum(combined(island, {{rectangle(4, 4, 12, 12)}}, Add)), 400.0);
-    // Holes count by even and odd whatever their sense.
+    // Holes follow the even-odd rule whatever their orientation.
     QCOMPARE(signedSum(combined({{rectangle(0, 0, 20, 20), rectangle(5, 5, 10, 10)}}, {}, Add)), 300.0);
 }
 
-/// Parts that lie side by side become one; a piece along an edge takes just what it covers.
+/// Adjacent parts become one; a piece along an edge takes exactly the area that it covers.
 void TestOutlineCombination::sharedEdges() {
     const Outline left{{rectangle(0, 0, 10, 10)}}, right{{rectangle(10, 2, 10, 6)}};
     const Outline joined = combined(left, right, Add);
@@ -125,25 +125,26 @@ void TestOutlineCombination::sharedEdges() {
     QCOMPARE(signedSum(joined), 160.0);
     QCOMPARE(signedSum(combined(joined, right, TakeAway)), 100.0);
     QCOMPARE(combined(joined, right, TakeAway).loops[0].size(), std::size_t(4));
-    // Touching in a corner: two loops that a mesher takes.
+    // Two loops that touch in a corner are accepted by the mesher.
     const Outline corner = combined(left, {{rectangle(10, 10, 5, 5)}}, Add);
     QCOMPARE(corner.loops.size(), std::size_t(2));
     QCOMPARE(meshedArea(corner), 125.0);
 }
 
-/// What touched is parted by a thin strip.
+/// Touching pieces are separated by a thin strip.
 void TestOutlineCombination::cutParts() {
     const Outline cut = combined({{rectangle(0, 0, 100, 40)}}, {{rectangle(49.5, -5, 1, 50)}}, TakeAway);
     QCOMPARE(cut.loops.size(), std::size_t(2));
     QCOMPARE(signedSum(cut), 3960.0);
     QCOMPARE(meshedArea(cut), 3960.0);
-    // One that does not reach through leaves a slit.
+    // A cut that does not reach through leaves a slit.
     const Outline slit = combined({{rectangle(0, 0, 100, 40)}}, {{rectangle(49.5, -5, 1, 25)}}, TakeAway);
     QCOMPARE(slit.loops.size(), std::size_t(1));
     QCOMPARE(signedSum(slit), 3980.0);
 }
 
-/// By even and odd: the middle of a figure of two crossings, and a line that comes back over itself.
+/// The even-odd rule decides: the middle of a figure of two crossings, and a line that comes back over
+/// itself.
 void TestOutlineCombination::linesThatCrossThemselves() {
     const Outline bow{{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}}};
     const Outline clean = combined(bow, {}, Add);
@@ -156,7 +157,7 @@ void TestOutlineCombination::linesThatCrossThemselves() {
     QCOMPARE(signedSum(combined({{{{0, 0}, {5, 5}, {9, 9}}}}, {}, Add)), 0.0);
 }
 
-/// Two 256-gons: their common part lies between the lens of the inscribed circles and that of the outer ones.
+/// The common part of two 256-gons is between the lens of the inscribed circles and that of the outer ones.
 void TestOutlineCombination::discs() {
     const int n = 256;
     const double r = 40, d = 50;
@@ -180,7 +181,8 @@ void TestOutlineCombination::specksGo() {
     QCOMPARE(signedSum(combined(a, speck, TakeAway)), 10000.0 - 9);
 }
 
-/// Random scribbles: what is said of places that are not too near to a line, and that a mesher takes it.
+/// Random scribbles: places that are not too close to a line are classified correctly, and a mesher accepts
+/// the outline.
 void TestOutlineCombination::everyPlaceAsTold() {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(0, 100);

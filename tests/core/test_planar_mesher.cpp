@@ -84,7 +84,7 @@ double smallestAngle(const SimplicialMesh<2>& mesh) {
     return smallest;
 }
 
-/// What every mesh must have: valid, all cells positive, no vertex unused.
+/// Checks the properties of every mesh: valid, all cells positive, no vertex unused.
 void requireSound(const SimplicialMesh<2>& mesh) {
     requireValid(mesh);
     std::vector<bool> used(mesh.vertexCount());
@@ -95,7 +95,7 @@ void requireSound(const SimplicialMesh<2>& mesh) {
     QCOMPARE(std::count(used.begin(), used.end(), false), 0);
 }
 
-/// Of the edges whose middles are wanted.
+/// Returns the mean length of the edges whose middles fulfil the condition.
 double meanEdge(const SimplicialMesh<2>& mesh, const std::function<bool(const Vec2&)>& isWanted) {
     double sum = 0;
     int count = 0;
@@ -133,8 +133,8 @@ double distanceToLoops(const Outline& outline, const Vec2& p) {
 class TestPlanarMesher : public QObject {
     Q_OBJECT
   private slots:
-    /// As many vertices as asked for, and where they are asked for: edges in a disc a quarter as long, also
-    /// along the boundary, which it reaches.
+    /// The number of vertices is the one aimed at, and they are where the factor asks for them: edges in a
+    /// disc are a quarter as long, also along the boundary, which the disc reaches.
     void sizesFollowTheFactor() {
         const Outline square{{rectangle(0, 0, 1000, 1000)}};
         const Vec2 centre(700, 200);
@@ -217,8 +217,8 @@ class TestPlanarMesher : public QObject {
         QVERIFY(std::abs(sum / static_cast<double>(facets.size()) - 20) < 2);
     }
 
-    /// On a square without features all triangles have a like size: circumradii within the bound, edges not
-    /// below half of the mean.
+    /// All triangles of a square without features have a similar size: circumradii within the bound, edges
+    /// not below half of the mean.
     void sizeIsEven() {
         const auto mesh = meshOutline({{rectangle(0, 0, 1000, 1000)}}, {});
         double shortest = 1e300, longest = 0;
@@ -283,7 +283,7 @@ class TestPlanarMesher : public QObject {
         }
     }
 
-    /// What lies across a gap must not matter: the gap itself is not meshed.
+    /// The distance across a gap must not matter: the gap itself is not meshed.
     void gapsCostNothing() {
         const auto near = meshOutline({{rectangle(0, 0, 100, 100), rectangle(100.001, 0, 100, 100)}}, {});
         requireSound(near);

@@ -1,4 +1,4 @@
-// Motions by poses and by fields of displacements, and how far motions have come.
+// Motions by poses and by fields of displacements, and the completed fraction of motions.
 
 #include <Eigen/Geometry>
 #include <QTest>
@@ -69,7 +69,7 @@ std::string errorOf(Call call) {
 class TestPoseMotion : public QObject {
     Q_OBJECT
 
-    /// At every row a point of the body is where that pose has it, from where the first pose had it.
+    /// At every row a point of the body is where that pose has it, relative to the first pose.
     template <int Dim>
     void goesThroughPoses() {
         const std::vector<double> times{-1, 0.25, 2, 2.5, 4};
@@ -91,7 +91,7 @@ class TestPoseMotion : public QObject {
         }
     }
 
-    /// Constant twist: v = ω × x + v₀ with the same ω and v₀ all the way between two rows.
+    /// The twist is constant: v = ω × x + v₀ with the same ω and v₀ all the way between two rows.
     template <int Dim>
     void twistIsConstant() {
         const Trajectory<Dim> trajectory(Motion<Dim>{posesAt<Dim>({0, 1})});
@@ -122,7 +122,7 @@ class TestPoseMotion : public QObject {
         }
     }
 
-    /// The pose between is where the trajectory is, also when the rotation goes on by more than a turn.
+    /// The pose between two rows is that of the trajectory, also when the rotation exceeds a turn.
     template <int Dim>
     void posesBetween() {
         RigidPose<Dim> from = pose<Dim>(1), to = pose<Dim>(2);
@@ -177,7 +177,7 @@ class TestPoseMotion : public QObject {
                 (placesAt(t).col(0) - mesh.points.col(1) - Vec<Dim>::Ones() - u * values[1].second).norm() <
                 1e-14);
         }
-        // The anchor is found again from a place on the way.
+        // The anchor is found again from an intermediate place.
         const Points<Dim> halfway = placesAt(2);
         for (const int id : ids)
             QVERIFY(
@@ -205,7 +205,7 @@ class TestPoseMotion : public QObject {
     void fieldsInThePlane() { fields<2>(); }
     void fieldsInSpace() { fields<3>(); }
 
-    /// The shortest turn, unless the rotation vectors say more.
+    /// The rotation is the shortest one, unless the rotation vectors give more.
     void turns() {
         const auto turnedBy = [](double from, double to) {
             const Vec3 axis = Vec3(1, 2, 2) / 3;

@@ -1,4 +1,4 @@
-// Files that take their place whole or not at all, and programs that run beside this one.
+// Files that replace the old ones completely or not at all, and child processes.
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -67,7 +67,7 @@ class TestSafeFile : public QObject {
     QTemporaryDir m_folder;
 };
 
-/// Two exports to one file at a time do not write into one another: the later wins, whole.
+/// Two simultaneous exports to one file do not write into one another: the later one replaces it completely.
 void TestSafeFile::twoOfOneName() {
     PendingFile one(file("a.txt")), other(file("a.txt"));
     QVERIFY(one.temporary() != other.temporary());
@@ -102,7 +102,7 @@ void TestSafeFile::leavesNoTrace() {
     QVERIFY_THROWS_EXCEPTION(InputError, PendingFile(file("none/b.txt")));
 }
 
-/// Temporaries lie in a folder that is this user's alone, whatever the rights of the place.
+/// Temporary files are in a folder that only this user can read, whatever the permissions around it.
 void TestSafeFile::staysPrivate() {
     const PendingFile pending(file("c.txt")), nowhere("/dev/null");
     QVERIFY(nowhere.isSpecial() && !pending.isSpecial());
@@ -115,7 +115,7 @@ void TestSafeFile::staysPrivate() {
     QCOMPARE(modeOf(pending.temporary()), 0600);
 }
 
-/// The new file is another one: who still reads the old one, or holds it under another name, sees it whole.
+/// The new file is another one: readers of the old one, and its other names, still have it completely.
 void TestSafeFile::replacesByRenaming() {
     put(file("r.txt"), "old");
     fs::create_hard_link(file("r.txt"), file("r.link"));
@@ -129,8 +129,8 @@ void TestSafeFile::replacesByRenaming() {
     QCOMPARE(std::string(std::istreambuf_iterator<char>(reader), {}), std::string("old"));
 }
 
-/// A new file has the rights that the user's mask leaves, a replaced one those that it had, a private one its
-/// owner's alone. Owner and attributes stay where this user may give them.
+/// A new file has the permissions that the user's mask leaves, a replaced one those that it had, a private
+/// one its owner's alone. Owner and attributes are kept where this user may set them.
 void TestSafeFile::keepsRights() {
     const mode_t mask = umask(027);
     writeWhole(file("new.txt"), "n");
@@ -164,7 +164,7 @@ void TestSafeFile::keepsWhatIsReadOnly() {
     QCOMPARE(get(file("kept.txt")), std::string("o"));
 }
 
-/// The longest names that a file may have; one more is refused before anything is written.
+/// The longest possible file names work; one character more is refused before anything is written.
 void TestSafeFile::writesLongNames() {
     for (int length : {249, 255}) {
         const std::string name = file((std::string(length - 4, 'n') + ".png").c_str());
@@ -175,8 +175,8 @@ void TestSafeFile::writesLongNames() {
     QVERIFY_THROWS_EXCEPTION(InputError, PendingFile(file((std::string(252, 'n') + ".png").c_str())));
 }
 
-/// What killed programs have left goes when the next one works there; what a living one holds, and what only
-/// looks alike, stays.
+/// The remains of killed programs are removed by the next one that works there; files of a living one, and
+/// those that only look alike, stay.
 void TestSafeFile::clearsUpAfterTheDead() {
     const auto folder = [&](const char* name) {
         fs::create_directory(file(name));
@@ -198,8 +198,8 @@ void TestSafeFile::clearsUpAfterTheDead() {
     fs::remove_all(file(".wend-other-one"));
 }
 
-/// Wherever the disk ends, the file says so, also when only its last byte is missing; and where it does not,
-/// every byte is there, in whatever order it came.
+/// Wherever the disk ends, the error is reported, even if only the last byte is missing; otherwise every byte
+/// is there, in whatever order it came.
 void TestSafeFile::tellsOfEveryLostByte() {
     std::signal(SIGXFSZ, SIG_IGN);
     const auto written = [&](std::size_t size, std::size_t most) {
@@ -225,8 +225,7 @@ void TestSafeFile::tellsOfEveryLostByte() {
     QVERIFY(!writeBytes(file("none/b"), "lost").empty());
 }
 
-/// One file by many names.
-/// Also by a link to a link; two that lead to each other are no way.
+/// One file has many names, also by a link to a link; two links to each other are an error.
 void TestSafeFile::linkIsFollowedToWhereNothingIs() {
     fs::create_directory(file("far"));
     fs::create_symlink("far/there", file("second"));
@@ -254,7 +253,7 @@ void TestSafeFile::pipeNeedsAReader() {
     fs::remove(file("pipe"));
 }
 
-/// More than a pipe holds, to a reader that takes its time.
+/// More bytes than a pipe holds reach a slow reader.
 void TestSafeFile::pipeGetsAll() {
     QCOMPARE(mkfifo(file("pipe").c_str(), 0600), 0);
     std::string text, got;
@@ -311,8 +310,8 @@ void TestSafeFile::knowsTheSameFile() {
     QVERIFY(!sameFile("-", "-"));
 }
 
-/// It has a process group of its own, so that Ctrl-C reaches this program alone, and none of the signals that
-/// this one blocks or ignores.
+/// The child has a process group of its own, so that Ctrl-C reaches this program alone, and none of the
+/// signals that this one blocks or ignores.
 void TestSafeFile::childStandsAlone() {
     const std::string script = file("child.sh");
     // grep inherits the shell's signals; the shell itself blocks all of them for a moment while it starts
@@ -331,7 +330,7 @@ void TestSafeFile::childStandsAlone() {
     for (int k : {2, 3}) QCOMPARE(lines[k].section('\t', 1).toULongLong(nullptr, 16) & pipe, 0ULL);
 }
 
-/// A child that only sleeps is ended early, with what it has started; one that computes is not.
+/// A child that only sleeps is ended early, with its own children; one that computes is not.
 void TestSafeFile::idleChildIsEnded() {
     const std::string script = file("idle.sh"), busy = file("busy.sh");
     put(script, "#!/bin/sh\nsleep 1000 &\necho $!\nsleep 1000\n");

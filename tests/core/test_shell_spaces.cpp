@@ -1,4 +1,4 @@
-// The spaces between the shells of a surface: bodies that share walls, and shells that lie one in the other.
+// The spaces between the shells of a surface: bodies that share walls, and nested shells.
 
 #include <QTest>
 #include <map>
@@ -101,7 +101,7 @@ VolumeMesh meshed(const Surface& surface, Shells shells = Shells::Automatic, boo
     return meshVolume(surface, options);
 }
 
-/// Boxes one in the other, the outermost first, of half sides n, n − 1, …, 1.
+/// Returns nested boxes, the outermost first, of half sides n, n − 1, …, 1.
 Surface nestedBoxes(int n, bool inwards) {
     Surface all;
     for (int half = n; half > 0; --half) {
@@ -154,7 +154,7 @@ void TestShellSpaces::stacksKeepTheirLayers() {
             }
 }
 
-/// 3 × 2 × 2 cubes whose walls are there once: edges of four walls are inside.
+/// 3 × 2 × 2 cubes whose walls occur once: edges of four walls are inside.
 void TestShellSpaces::blocksOfCubes() {
     Surface all;
     for (int i = 0; i < 3; ++i)
@@ -190,7 +190,7 @@ void TestShellSpaces::nestedShells_data() {
             QTest::addRow("%d shells%s", shells, inwards ? ", some turned inwards" : "") << shells << inwards;
 }
 
-/// Of shells one in the other every second space is hollow, or all are regions with labels of their own.
+/// Every second space between nested shells is hollow, or all are regions with labels of their own.
 void TestShellSpaces::nestedShells() {
     QFETCH(int, shells);
     QFETCH(bool, inwards);
@@ -232,7 +232,7 @@ void TestShellSpaces::namesOfSpaces() {
     options.shells = Shells::Regions;
     options.labelNames = {"skin", "bone", "marrow"};
     QCOMPARE(meshVolume(nestedBoxes(3, false), options).spaces.names, options.labelNames);
-    // Layers whose shared wall belongs to the first of them.
+    // The layers' shared wall belongs to the first of them.
     Surface layers = stack({1, 2}, 2, Walls::Single, 0);
     for (const auto& t : layers.triangles) {
         const double top = std::max({layers.points(2, t[0]), layers.points(2, t[1]), layers.points(2, t[2])});

@@ -1,4 +1,4 @@
-// The look of surfaces: texture points of corners, materials and groups in and out.
+// The look of surfaces: texture points of corners, materials and groups are read and written.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,7 +106,7 @@ void TestSkin::seamsUnfold() {
         }
 }
 
-/// All but vertices stay as they were, seen from the new folder; so do normals if nothing turns.
+/// Everything but vertices stays as it was, relative to the new folder; so do normals if nothing rotates.
 void TestSkin::objIsTheSameFileElsewhere() {
     QDir(m_folder.path()).mkdir("out");
     const Skin skin = readSkin(file("sheet.obj"));

@@ -1,4 +1,4 @@
-// The smoothness energy: nothing on affine fields, and a velocity field that settles as the mesh is refined.
+// The smoothness energy: it is zero on affine fields, and a velocity field converges as the mesh is refined.
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
@@ -50,7 +50,7 @@ void weights() {
             return smoothnessWeight<Dim>(smoothing, scale * mesh.points, facet.vertices, i, j);
         };
         const double B = facetMeasure<Dim>(mesh.points, facet.vertices);
-        // The diagonal of a square; a triangle of an edge, a face's and the cube's diagonal.
+        // The facet is the diagonal of a square, or a triangle of an edge, a face's and the cube's diagonal.
         QVERIFY(std::abs(B - std::sqrt(2.0) / (Dim == 2 ? 1 : 2)) < 1e-15);
         QVERIFY(std::abs(weight({SmoothingKind::Paper, 0, 0.3}, 1) - 0.3 * B) < 1e-15);
         // Centroids of the two halves of a square are √2/3 apart; of two such tetrahedra √2/4.

@@ -85,7 +85,7 @@ Eigen::MatrixXd denseRows(const std::vector<ConstraintRow>& rows, int vertexCoun
     return W;
 }
 
-/// min vᵀ A v subject to W v = p by Lagrange multipliers.
+/// Returns min vᵀ A v subject to W v = p by Lagrange multipliers.
 Eigen::VectorXd saddlePoint(const Eigen::MatrixXd& A, const Eigen::MatrixXd& W, const Eigen::VectorXd& p) {
     const Eigen::Index n = A.rows(), m = W.rows();
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + m, n + m);
@@ -148,14 +148,15 @@ void agreesWithDenseReference() {
     }
 }
 
-/// Vertices that are held in some coordinates only: those are rows of one scalar in the dense system. One of
-/// them is a corner of a cell with a constrained point; directly, and with the factor of another shape.
+/// Some vertices are held in some coordinates only, which are rows of one scalar in the dense system. One of
+/// them is a corner of a cell with a constrained point. The solve is direct, or uses the factor of another
+/// shape.
 template <int Dim>
 void slidersAgreeWithDenseReference() {
     std::mt19937 random(15 + Dim);
     auto scene = mixedScene<Dim>(random);
     const int count = scene.mesh->vertexCount();
-    // Of a point in a cell some corner is left that does not slide.
+    // Some corner of a cell with a point must not slide.
     const Cell<Dim>& first = scene.mesh->cells.front();
     const auto isFree = [&](int v) {
         return v > 1 && v < count - 1 && std::find(first.begin(), first.end(), v) == first.end();
@@ -260,7 +261,7 @@ void projectionPutsPointsOnTargets() {
     for (std::size_t r = 0; r < scene.rows.size(); ++r)
         QVERIFY((valueOf<Dim>(scene.rows[r], shape) - targets.col(static_cast<int>(r))).norm() < 1e-15);
 
-    // Of all corrections that fit, the least: the pseudo-inverse's.
+    // The correction is the least of all that fit, by the pseudo-inverse.
     const Eigen::MatrixXd W = denseRows<Dim>(scene.rows, scene.mesh->vertexCount());
     const Eigen::VectorXd gap = targets.reshaped() - W * scene.shape.reshaped();
     const Eigen::VectorXd minimum = W.completeOrthogonalDecomposition().solve(gap);
@@ -373,7 +374,7 @@ void minNormDragging(double phiValue, int pointCount) {
     Points<Dim> v;
     QVERIFY(solver.solve(mesh->points, prescribed, v).done());
     const auto expected = minNormMotion<Dim>(*mesh, basis, at, prescribed);
-    // ε = 1e-4 against the least elastic eigenvalue: what it leaves is the square of a small number only in
+    // ε = 1e-4 against the least elastic eigenvalue: the remainder is the square of a small number only in
     // the energy.
     qInfo("phi %g, %d points in %dD: relative distance %g, energy %g", phiValue, pointCount, Dim,
           relative(v.reshaped(), expected.reshaped()), solver.energy());
@@ -397,9 +398,9 @@ void negativeOrientationIsTheSame() {
     QVERIFY(relative(va.reshaped(), vb.reshaped()) < 1e-10);
 }
 
-/// A soft part, with all constraints, and a stiff one, near EQUIA, that it carries along: the stiffer that
-/// is, the more of the small residual in the soft part is rounding of the large numbers in the stiff one, and
-/// the solver solves again for what is left. Returns how often it solved.
+/// A soft part, with all constraints, carries along a stiff one, near EQUIA: the stiffer that is, the more of
+/// the small residual in the soft part is rounding of the large numbers in the stiff one, and the solver
+/// solves again for the remainder. Returns how often it solved.
 template <int Dim>
 int solvesWithStiffPart(double ratio) {
     std::mt19937 random(29);

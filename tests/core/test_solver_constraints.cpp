@@ -81,7 +81,7 @@ void countsDependentRows() {
     for (const auto& d : dependentRows(rows)) QVERIFY(d.row != Dim + 3);  // single vertices come first
 }
 
-/// Points a millionth of an edge apart are two; what differs by rounding alone is one.
+/// Points a millionth of an edge apart are two; those that differ by rounding alone are one.
 void nearRowsAreTold() {
     const auto pointNear = [](double weight) {
         return ConstraintRow{{{0, 1 - 2 * weight}, {1, weight}, {2, weight}}};
@@ -92,7 +92,7 @@ void nearRowsAreTold() {
     QCOMPARE(dependentRows({fixed(0), pointNear(1e-14)}).size(), std::size_t{1});
 }
 
-/// Solved for the corner that counts most: nothing is divided by the weight of one that hardly counts.
+/// The row is solved for the corner with the largest weight: nothing is divided by a small weight.
 void pivotIsTheLargest() {
     std::array<double, 4> weights = {1e-9, 0.1, 0.2, 0.7 - 1e-9};
     std::sort(weights.begin(), weights.end());
@@ -144,7 +144,7 @@ void partsAreIndependent() {
     QVERIFY(v.middleCols(n, n).isZero(0));  // nothing pulls the other part
     QVERIFY(v.col(2 * n).isZero(0));        // nor the vertex without cells
 
-    // The mass regularization of the free part does not touch the other: alone it moves the same.
+    // The mass regularization of the free part does not affect the other, which moves as it would alone.
     SimplicialMesh<Dim> alone{mesh.points.leftCols(n),
                               {mesh.cells.begin(), mesh.cells.begin() + mesh.cellCount() / 2}};
     auto single = solverOf<Dim>(alone);
@@ -163,7 +163,7 @@ void partsAreIndependent() {
     QVERIFY(v.col(2 * n) == Vec<Dim>(Vec<Dim>::Constant(7)));
 }
 
-/// Which sets determine the motion: by points of the first part.
+/// The sets determine the motion by points of the first part.
 template <int Dim>
 void countsPoints() {
     const auto mesh = samples::grid<Dim>(2);

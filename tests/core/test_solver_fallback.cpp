@@ -1,4 +1,4 @@
-// Runs whose iterations do not converge: factors take over, or the run ends at once with a message.
+// Runs whose iterations do not converge: factors are used instead, or the run ends at once with a message.
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
@@ -46,7 +46,7 @@ class TestSolverFallback : public QObject {
     void multigridThatWasAskedForEnds();
 };
 
-/// The choice is Wend's, which takes multigrid for so many vertices.
+/// Wend itself chooses multigrid for this number of vertices.
 void TestSolverFallback::factorsTakeOver() {
     const Bend<3> bend(206, 9, 40, 0.5);
     IntegrationOptions options;
@@ -69,7 +69,7 @@ void TestSolverFallback::factorsTakeOver() {
     QVERIFY(distance(deformer.state().points, direct.state().points) < 1e-6);
 }
 
-/// Shorter steps would not help.
+/// Multigrid that was requested ends the run, since shorter steps would not help.
 void TestSolverFallback::multigridThatWasAskedForEnds() {
     const Bend<3> bend(12, 3, 4, 1.2);
     IntegrationOptions options;

@@ -1,5 +1,5 @@
-// The velocity solver with the factors of earlier shapes against the direct solve; the vectorized back end
-// against its reference.
+// The velocity solver with the factors of earlier shapes compared with the direct solve; the vectorized back
+// end compared with its reference.
 #include <QTest>
 
 #include "core/assembly/cpu_back_end.h"
@@ -42,7 +42,7 @@ class TestSolverReuse : public QObject {
 
 namespace {
 
-/// A grid whose low side is fixed and whose high side turns about the middle of the low one.
+/// A grid whose low side is fixed and whose high side rotates about the middle of the low one.
 template <int Dim>
 struct Turn {
     std::shared_ptr<const SimplicialMesh<Dim>> mesh;
@@ -59,7 +59,7 @@ struct Turn {
                 vertices.push_back(v);
             }
     }
-    /// At 1 radian per unit of time.
+    /// Returns velocities at 1 radian per unit of time.
     Points<Dim> speeds(const Points<Dim>& shape) const {
         Points<Dim> speeds = Points<Dim>::Zero(Dim, static_cast<Eigen::Index>(vertices.size()));
         for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -177,13 +177,13 @@ struct LongStrip {
     double error(const Points2& v) const {
         return (v - lifted).cwiseAbs().maxCoeff() / lifted.cwiseAbs().maxCoeff();
     }
-    /// A guess that is off by a smooth field: of such an error a poor factor shows little, and leaves much.
+    /// Returns a guess with a smooth error, of which a poor factor shows little and leaves much.
     Points2 guess(double off) const { return lifted + off * (pulledSide - lifted); }
 };
 
 }  // namespace
 
-/// Good guesses must not pass for solved.
+/// Good guesses must not be mistaken for solutions.
 void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
     const LongStrip strip(40);
     const double tolerance = 1e-4;
@@ -193,8 +193,8 @@ void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
     QVERIFY(strip.error(v) <= 3 * tolerance);
     FactorMemory<2> memory = solver.remember();
     QVERIFY(memory.kind == FactorKind::Single && memory.best == FactorKind::Single);
-    // The solver puts up with it, but it is worse than the 0.05 that any factor is thought capable of: else
-    // nothing here would be poor.
+    // The solver accepts the factor, but it is worse than the 0.05 assumed of any factor: otherwise nothing
+    // here would be poor.
     const double poor = memory.freshContraction.value_or(0);
     qInfo("contraction %.3f", poor);
     QVERIFY(poor > 0.05);
@@ -206,11 +206,11 @@ void TestSolverReuse::toleranceHoldsWhereSinglePrecisionIsPoor() {
     }
 }
 
-/// Longer still, and iterations with it would end with wrong answers (or never): a factor in double takes
-/// over, also for what follows. That is where an iteration leaves more than a third of the error, or where
-/// the matrix is not positive definite in single precision. The condition grows with a power of the length,
-/// but what an iteration leaves also goes with the rounding: which of the strips are given up is not the same
-/// everywhere, that the longest are is.
+/// With a longer strip, iterations would end with wrong answers or never: a factor in double precision
+/// replaces the one in single precision from then on. That happens where an iteration leaves more than a
+/// third of the error, or where the matrix is not positive definite in single precision. The condition grows
+/// with a power of the length, but the error left also depends on rounding: which strips are given up differs
+/// between machines, but the longest are given up on all.
 void TestSolverReuse::singlePrecisionIsGivenUp() {
     const double tolerance = 1e-4;
     for (int length : {60, 80, 90, 100, 110, 240, 480}) {
@@ -235,8 +235,8 @@ void TestSolverReuse::singlePrecisionIsGivenUp() {
     }
 }
 
-/// Without a preconditioner a step may leave more than there was: that is told as it is, and is something
-/// else than no second step.
+/// Without a preconditioner a step may increase the error: that is reported as measured, and differs from
+/// having no second step.
 void TestSolverReuse::contractionsAreToldAsMeasured() {
     const LongStrip strip(60);
     const auto plan = std::make_shared<const AssemblyPlan<2>>(makeAssemblyPlan(*strip.mesh, true));
@@ -279,7 +279,7 @@ void TestSolverReuse::equiaAlwaysFactorizes() {
     QVERIFY2(run.worst < 1e-9, qPrintable(QString::number(run.worst)));
 }
 
-// With factors of our own, and on the lesser targets CHOLMOD's where they are slower.
+// The targets use Wend's factors, and the lesser ones CHOLMOD's where Wend's are slower.
 void TestSolverReuse::everyTargetStaysWithinTolerance() {
     onEveryTarget([](SimdTarget) {
         const auto flat = drive(2, phi::kMetr, 1e-4), solid = drive(3, phi::kMetr, 1e-4);
@@ -289,7 +289,8 @@ void TestSolverReuse::everyTargetStaysWithinTolerance() {
     });
 }
 
-// The large fronts of a cube: by work alone, so the same on every machine, and for any number of threads.
+// The large fronts of a cube are chosen by their work alone, so the choice is the same on every machine and
+// for any number of threads.
 void TestSolverReuse::cholmodServesWhereItIsQuicker() {
     const Turn<3> large(12), small(4);
     const auto kindFor = [](const Turn<3>& turn, int threads) {
@@ -318,7 +319,7 @@ void TestSolverReuse::runsRepeat() {
     QCOMPARE(one.statistics.iterations, two.statistics.iterations);
 }
 
-/// A solver that did other things meanwhile, and another one, go on as if nothing had been.
+/// A solver that did other work meanwhile, and another solver, continue with the same bits.
 template <int Dim>
 void compareMemories(int n) {
     const Turn<Dim> turn(n);
@@ -364,8 +365,8 @@ void TestSolverReuse::memoryGoesOnToTheSameBits() {
     compareMemories<3>(5);
 }
 
-/// Of one factor: a shape that is a tenth of the way farther takes the rotations of the one before it, one
-/// twice as far has its own. A solver that has others meanwhile makes them again.
+/// With one factor, a shape a tenth of the way farther uses the rotations of the one before it, one twice as
+/// far has its own. A solver with other rotations in between recomputes them.
 void TestSolverReuse::rotationsServeNearbyShapes() {
     const Turn<2> turn(12);
     const Points2& rest = turn.mesh->points;
@@ -393,7 +394,8 @@ void TestSolverReuse::rotationsServeNearbyShapes() {
     QVERIFY(again == v);
 }
 
-/// A shape turned and stretched as a whole has one rotation, however flat its cells are; Rᵀ undoes R.
+/// A shape that is rotated and stretched as a whole has one rotation, however flat its cells are; Rᵀ undoes
+/// R.
 template <int Dim>
 void compareRotations(double flatness) {
     std::mt19937 random(4);
@@ -504,7 +506,8 @@ Mat2 rotationBy(double angle) {
     return (Mat2() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)).finished();
 }
 
-/// Of steps of Runge and Kutta through a field that turns: a quadratic polynomial misses by what turns, too.
+/// The steps are those of Runge and Kutta through a rotating field: the error of a quadratic polynomial
+/// rotates as well.
 void TestSolverReuse::historyLearnsFromMisses() {
     std::mt19937 random(2);
     const Points2 start = randomField<2>(random, 9), none(2, 0);
@@ -538,7 +541,7 @@ void TestSolverReuse::historyLearnsFromMisses() {
     QVERIFY2(worstOfPolynomial > 1e-3, qPrintable(QString::number(worstOfPolynomial)));
 }
 
-/// By the rotation of every place, whatever else happens there.
+/// A field is rotated by the rotation of every place, whatever else happens there.
 void TestSolverReuse::fieldsTurnWithTheShape() {
     std::mt19937 random(3);
     const Turn<2> turn(6);

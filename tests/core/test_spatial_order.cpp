@@ -54,7 +54,8 @@ class TestSpatialOrder : public QObject {
         QVERIFY(cells == expected);
     }
 
-    /// Of the numbers of a cell's vertices, and of the numbers of neighbouring cells' vertices.
+    /// Returns the mean distance of the numbers of a cell's vertices, and that of the numbers of neighbouring
+    /// cells' vertices.
     template <int Dim>
     static double meanDistance(const SimplicialMesh<Dim>& mesh) {
         double sum = 0;
@@ -70,7 +71,7 @@ class TestSpatialOrder : public QObject {
         auto mesh = shuffled<Dim>(n);
         const double before = meanDistance<Dim>(mesh);
         sortSpatially<Dim>(mesh, 0);
-        // Numbers at random are a third of all apart; on the curve about n^(1 − 1/Dim) of n.
+        // Random numbers are apart by a third of all; those on the curve by about n^(1 − 1/Dim) of n.
         QVERIFY2(meanDistance<Dim>(mesh) < before / 4,
                  qPrintable(QString("%1 of %2").arg(meanDistance<Dim>(mesh)).arg(before)));
     }

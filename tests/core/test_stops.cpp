@@ -1,4 +1,4 @@
-// Deformations that cannot be completed: what is said about them, and what is left of the shape.
+// Deformations that cannot be completed: the messages, and the shape at the stop.
 
 #include <Eigen/Geometry>
 #include <QRegularExpression>
@@ -45,8 +45,8 @@ Vec<Dim> along(double x) {
     return x * Vec<Dim>::Unit(0);
 }
 
-/// Sums of products of the coordinates as they are, in a format that does not round them: what another
-/// program may make of the numbers in a file.
+/// Sums products of the coordinates as they are, in a format that does not round them, as another program may
+/// compute with the numbers in a file.
 template <int Dim>
 bool isPositiveElsewhere(const Points<Dim>& points, const Cell<Dim>& cell) {
     for (int first = 0; first <= Dim; ++first) {
@@ -60,7 +60,7 @@ bool isPositiveElsewhere(const Points<Dim>& points, const Cell<Dim>& cell) {
     return !isFlat<Dim>(points, cell);
 }
 
-/// Through a text with 17 digits.
+/// Converts through a text with 17 digits.
 template <int Dim>
 Points<Dim> readAgain(const Points<Dim>& points) {
     Points<Dim> read(Dim, points.cols());
@@ -85,7 +85,7 @@ int invertedElsewhere(const SimplicialMesh<Dim>& mesh, const Points<Dim>& points
 class TestStops : public QObject {
     Q_OBJECT
 
-    /// The place that a message names.
+    /// Returns the place that a message names.
     template <int Dim>
     static Vec<Dim> placeIn(const QString& message) {
         const auto match = QRegularExpression("near \\(([^)]*)\\)").match(message);
@@ -157,8 +157,8 @@ class TestStops : public QObject {
         }
     }
 
-    /// With multigrid settling takes explicit steps, which are stiff near EQUIA: where they must not be as
-    /// short as that takes, it stops at a good shape and says so. With factors it arrives all the same.
+    /// With multigrid, settling takes explicit steps, which are stiff near EQUIA: if they become too short,
+    /// it stops at a good shape with a message. With factors it arrives all the same.
     template <int Dim>
     void settlingSaysThatItIsTooStiff() {
         Press<Dim> press(along<Dim>(-1.2));
@@ -186,8 +186,8 @@ class TestStops : public QObject {
         QCOMPARE(invertedElsewhere<Dim>(press.mesh, deformer.state().points), 0);
     }
 
-    /// Whatever stops it, wherever the shape lies: what is handed out, the last state and every frame before,
-    /// has no cell that is inverted or flat in anybody's arithmetic.
+    /// No last state or frame before it has a cell that is inverted or flat in any arithmetic, whatever stops
+    /// the run and wherever the shape is.
     template <int Dim>
     void nothingInvertedIsHandedOut() {
         QFETCH(double, offset);
@@ -225,8 +225,7 @@ class TestStops : public QObject {
         QVERIFY(distortion<Dim>(press.mesh, deformer.state().points).minDet > 0);
     }
 
-    /// All vertices are led, so that the cells are flat to rounding at the end, in whatever direction that
-    /// points.
+    /// All vertices are moved so that the cells are flat up to rounding at the end, in any orientation.
     template <int Dim>
     void flatToRoundingIsInverted() {
         int inverted = 0, done = 0;

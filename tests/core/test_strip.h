@@ -86,7 +86,7 @@ struct Bend {
     }
 };
 
-/// The points at a time; no numbers where it cannot be reached, and why is told.
+/// Returns the points at a time; if it cannot be reached, returns no points and prints the reason.
 template <int Dim>
 Points<Dim> runTo(Deformer<Dim>& deformer, double time, const typename Deformer<Dim>::Watch& watch = {}) {
     const AdvanceResult result = deformer.advance(time, watch);

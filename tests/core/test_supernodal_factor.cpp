@@ -1,4 +1,4 @@
-// The factor of our own and the tree that its threads share, against CHOLMOD.
+// Wend's own factor and the tree that its threads share, compared with CHOLMOD.
 #include <Eigen/Cholesky>
 #include <QDir>
 #include <QTest>
@@ -74,7 +74,7 @@ struct Factored {
     }
 };
 
-/// Against the solve in double, for all shapes of supernodes that the orderings make.
+/// The solve is compared with one in double precision, for all shapes of supernodes that the orderings make.
 template <int Dim>
 void compareFactors(int n) {
     for (const auto ordering : {Ordering::MinimumDegree, Ordering::NestedDissection}) {
@@ -101,7 +101,7 @@ void compareFactors(int n) {
     }
 }
 
-/// The same bits for any number of threads, with fronts that are shared.
+/// The bits are the same for any number of threads, with shared fronts.
 template <int Dim, class Real>
 void compareThreads(int n) {
     Factored<Dim> scene(n, phi::kAkvf, Ordering::NestedDissection);
@@ -218,7 +218,7 @@ class FrontCheck {
                   m_triangle.transpose().triangularView<Eigen::Upper>().solve(right));
     }
 
-    /// Within the tolerance, relative to the largest number of the front.
+    /// Checks that the difference is within the tolerance, relative to the largest number of the front.
     void checkZero(const Eigen::MatrixXd& difference) const {
         if (difference.size() == 0) return;
         const double error = difference.cwiseAbs().maxCoeff() / m_front.cwiseAbs().maxCoeff();
@@ -272,7 +272,7 @@ void TestSupernodalFactor::treeIsSplit() {
     checkTree<3>(9);
 }
 
-// Dispatch that always took the same variant would pass every other test.
+// A dispatch that always used the same variant would pass every other test.
 void TestSupernodalFactor::targetsHaveKernelsOfTheirOwn() {
     std::set<const void*> seen;
     onEveryTarget([&](SimdTarget) {
@@ -340,8 +340,8 @@ void TestSupernodalFactor::floatFactorRefuses() {
     });
 }
 
-/// Up to the whole; and whoever asks to stop on the way is heard before the end. The next one is as if
-/// nothing had been.
+/// Progress rises to the whole; a request to stop meanwhile is heard before the end. The next factorization
+/// is unaffected.
 void TestSupernodalFactor::progressIsToldAndStopped() {
     Factored<3> scene(11, phi::kAkvf, Ordering::NestedDissection);
     std::vector<double> b(scene.system.columnStart().size() - 1, 1.0), x(b.size()), y(b.size());
@@ -375,7 +375,7 @@ void TestSupernodalFactor::progressIsToldAndStopped() {
     }
 }
 
-/// Whenever it is asked to stop: it has come to its end, or is to be analyzed again, to the same order.
+/// Whenever CHOLMOD is asked to stop, it either completes, or is analyzed again, with the same order.
 void TestSupernodalFactor::stoppedCholmodIsLeftAlone() {
     Factored<2> scene(100, phi::kAkvf, Ordering::NestedDissection);
     const auto order = scene.cholesky.supernodes().order;
@@ -403,8 +403,8 @@ void TestSupernodalFactor::stoppedCholmodIsLeftAlone() {
     QVERIFY(!cholesky.isAnalyzed());
 }
 
-/// Before any is taken: all panels, whose numbers are those of the factor and what pads them, and update
-/// matrices, which more threads take more of.
+/// The memory is known before any is allocated: all panels, with the factor's numbers and their padding, and
+/// update matrices, of which more threads need more.
 void TestSupernodalFactor::memoryIsTold() {
     Factored<3> scene(9, phi::kMetr, Ordering::NestedDissection);
     auto single = scene.factor<float>();
@@ -433,7 +433,7 @@ void TestSupernodalFactor::freeMemoryIsTheLeastLimit_data() {
     const auto row = [](const char* name, const char* file, const char* text, double free) {
         QTest::newRow(name) << file << QByteArray(text) << free;
     };
-    // One after another, each with the files of those before it.
+    // The rows build on each other, each with the files of those before it.
     row("nothing known", "empty", "", std::numeric_limits<double>::infinity());
     row("system", "proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable:    5000000 kB\n", 5.12e9);
     row("no limit of the group", "proc/self/cgroup", "0::/user/work\n", 5.12e9);

@@ -61,7 +61,8 @@ Surface framed() {
             const Surface one = box(Vec3(x, y, 0), Vec3(x + 1, y + 1, 1));
             all = all.triangles.empty() ? one : joined(all, one);
         }
-    // Walls between two cubes go: the two triangles of each of them lie on each other with opposite sides.
+    // Walls between two cubes are removed: the two triangles of each of them coincide with opposite
+    // orientation.
     const auto centre = [&](const std::array<int, 3>& t) {
         return Vec3(all.points.col(t[0]) + all.points.col(t[1]) + all.points.col(t[2]));
     };
@@ -101,7 +102,7 @@ void TestSurfaceFacts::torus() {
     QVERIFY(std::abs(facts.shortestEdge - std::min(shortest, 2 * 2 * std::sin(kPi / 200))) < 1e-12);
 }
 
-/// Twelve edges and a diagonal in each of six faces.
+/// There are twelve edges and a diagonal in each of six faces.
 void TestSurfaceFacts::edgesOfABlock() {
     const SurfaceFacts facts = factsOf(box({1, 1, 1}, {4, 3, 2}));
     QCOMPARE(facts.edges, 18);
@@ -140,7 +141,7 @@ void TestSurfaceFacts::shells() {
     QVERIFY(std::abs(*factsOf(four).volume - (125 - 27 + 1 + 2)) < 1e-10);
 }
 
-/// Four triangles at one edge.
+/// Four triangles meet at one edge.
 void TestSurfaceFacts::blocksThatMeetInAnEdge() {
     const SurfaceFacts facts = factsOf(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {3, 2, 1})));
     QVERIFY(std::abs(*facts.volume - 3) < 1e-12);

@@ -1,4 +1,4 @@
-// Single faults of surfaces, put right one by one: counted and measured against boxes whose faults are known.
+// Single faults of surfaces are repaired one by one: counted and measured on boxes with known faults.
 
 #include <QTest>
 
@@ -19,7 +19,7 @@ using Fixes = std::vector<SurfaceFix>;
 
 const Surface kBox = box({0, 0, 0}, {6, 6, 6}, 6);
 
-/// The box without the triangles that have a middle for which `gone` holds.
+/// Returns the box without the triangles for whose middle `gone` holds.
 template <class Gone>
 Surface without(Surface surface, const Gone& gone) {
     std::erase_if(surface.triangles, [&](const std::array<int, 3>& t) {
@@ -52,7 +52,7 @@ Surface fixed(const Surface& surface, const Fixes& fixes) {
 class TestSurfaceFixes : public QObject {
     Q_OBJECT
   private slots:
-    /// Two halves of a box that miss each other by a little are one again; with a gap beyond reason they stay
+    /// Two halves of a box with a small gap between them are joined again; with a gap beyond reason they stay
     /// two.
     void seams() {
         for (const double gap : {1e-4, 0.5}) {
@@ -85,11 +85,11 @@ class TestSurfaceFixes : public QObject {
     void oneHoleIsFilledAndTheOtherStays();
     void numbersStayWhatTheyAre();
     void soupIsFilledToo();
-    void whatHangsAloneGoes();
+    void loosePiecesAreRemoved();
     void fillingThatHelpsNothingIsNotOffered();
     void slitIsFilledWithTheTriangleBesideIt();
     void slitsAreRepaired();
-    void whatBreaksOffGoesToo();
+    void detachedPiecesAreRemovedToo();
     void partThatIsTurnedOver();
     void bandHasOneSide();
     void crossingGoes();
@@ -155,7 +155,7 @@ void TestSurfaceFixes::soupIsFilledToo() {
     QVERIFY(fixed(soup, done).points.leftCols(soup.vertexCount()) == soup.points);
 }
 
-void TestSurfaceFixes::whatHangsAloneGoes() {
+void TestSurfaceFixes::loosePiecesAreRemoved() {
     Surface surface = kBox;
     surface.points.conservativeResize(Eigen::NoChange, surface.vertexCount() + 2);
     surface.points.rightCols(2) << -1, -2, -1, -1, -1, -1;
@@ -166,14 +166,14 @@ void TestSurfaceFixes::whatHangsAloneGoes() {
     QCOMPARE(fix.faults, 0);
 }
 
-/// What would fill a flat sheet lies on it.
+/// The filling of a flat sheet would coincide with it.
 void TestSurfaceFixes::fillingThatHelpsNothingIsNotOffered() {
     Surface sheet = without(kBox, [](const Vec3& p) { return p.z() < 5.9; });
     sheet.points.row(2).setConstant(6);
     QVERIFY(fixFor(sheet, {}, "hole", casesOf(sheet, "hole").at(0)).steps.empty());
 }
 
-/// A vertex lies on an edge, or as near as rounding leaves it, and the triangle beyond knows nothing of it.
+/// A vertex is on an edge, up to rounding, and the triangle beyond does not have it.
 Surface withSlit(double at) {
     Surface slit = box({0, 0, 0}, {1, 1, 1});
     const auto [a, b, c] = slit.triangles.back();
@@ -194,14 +194,14 @@ void TestSurfaceFixes::slitIsFilledWithTheTriangleBesideIt() {
         QVERIFY(fix.left.boundsVolume());
         QVERIFY(std::abs(factsOf(fix.after.surface).volume.value() - 1) < 1e-12);
     }
-    // A step that fills it all the same may be repeated: what it adds has no area.
+    // A step that fills it all the same may be repeated: the added triangles have no area.
     const Surface slit = withSlit(0.5);
     const auto [a, c, d] = slit.triangles[slit.triangles.size() - 2];
     const SurfaceFix fill{SurfaceFix::Kind::Fill, {a, c}};
     QCOMPARE(fixed(slit, {fill, fill}).triangleCount(), slit.triangleCount() + 2);
 }
 
-/// The repair of all does the same; the triangles that come keep the label, and those before them the order.
+/// The repair of all faults does the same; the new triangles keep the label, and those before them the order.
 void TestSurfaceFixes::slitsAreRepaired() {
     Surface slits = joined(withSlit(0.5), withSlit(0.3));
     slits.points.rightCols(9).colwise() += Vec3(3, 0, 0);
@@ -219,7 +219,7 @@ void TestSurfaceFixes::slitsAreRepaired() {
         QVERIFY(*label > 0 && std::find(done.labels.begin(), added, *label) == added);
 }
 
-/// A needle of three sides that sticks in the box, its tip outside.
+/// Returns a box with a needle of three sides through it, its tip outside.
 Surface withNeedle() {
     Surface needle;
     const int rings = 9;
@@ -237,8 +237,8 @@ Surface withNeedle() {
     return joined(kBox, needle);
 }
 
-/// What the triangles that cross hold to the rest is no part of its own afterwards.
-void TestSurfaceFixes::whatBreaksOffGoesToo() {
+/// A piece that was attached only by crossing triangles does not remain as a part of its own.
+void TestSurfaceFixes::detachedPiecesAreRemovedToo() {
     const Surface surface = withNeedle();
     QCOMPARE(factsOf(surface).parts, 2);
     const auto cases = casesOf(surface, "crossing");
@@ -251,7 +251,7 @@ void TestSurfaceFixes::whatBreaksOffGoesToo() {
     }
 }
 
-/// One side of the box is turned over: the smaller part is turned back.
+/// One side of the box is inverted: the smaller part is turned back.
 void TestSurfaceFixes::partThatIsTurnedOver() {
     Surface surface = kBox;
     int turned = 0;
@@ -296,8 +296,8 @@ void TestSurfaceFixes::crossingGoes() {
     QVERIFY2(left.boundsVolume(), left.summary().text().c_str());
 }
 
-/// Two vertices of the top lie too far aside: the triangles around them pass through one another, and what
-/// would fill the place of two of them passes through a third.
+/// Two vertices of the top are too far aside: the triangles around them cross one another, and the filling
+/// for two of them would cross a third.
 void TestSurfaceFixes::oneCrossingCostsNoMoreThanAll() {
     Surface surface = kBox;
     for (int v = 0; v < surface.vertexCount(); ++v) {
@@ -343,7 +343,7 @@ void TestSurfaceFixes::allHolesAreFilledUpToALimit() {
     QCOMPARE(small.faults, 1);
     QCOMPARE(casesOf(small.after.surface, "hole").at(0).size(), std::size_t(8));
     QVERIFY(fixForAll(surface, {}, "hole", 3).steps.empty());
-    // What a project keeps of it leads to the same.
+    // The steps stored in a project give the same result.
     QVERIFY(fixed(surface, all.steps).triangles == all.after.surface.triangles);
 }
 

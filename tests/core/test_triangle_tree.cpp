@@ -8,7 +8,7 @@
 
 using namespace wend;
 
-/// The tree against looking at every triangle.
+/// The tree compared with a search through every triangle.
 class TestTriangleTree : public QObject {
     Q_OBJECT
   private slots:
@@ -33,7 +33,7 @@ Shape shapeOf(const Surface& surface) {
     return {surface.points, surface.triangles};
 }
 
-/// Distances from the plane's equation and the areas of the parts, unlike the tree's.
+/// Computes distances from the plane's equation and the areas of the parts, unlike the tree.
 double distanceByPlane(const Shape& s, int t, const Vec3& origin, const Vec3& direction) {
     const auto& id = s.triangles[t];
     const Vec3 a = s.points.col(id[0]), b = s.points.col(id[1]), c = s.points.col(id[2]);
@@ -123,7 +123,7 @@ void TestTriangleTree::followsThePose() {
     compare(tree, shape, 1.5);
 }
 
-/// The least distance to a fine sampling of every triangle, up to the sampling's step.
+/// The result is the least distance to a fine sampling of every triangle, up to the sampling's step.
 void TestTriangleTree::nearestIsThatOfAll() {
     const Shape shape = shapeOf(test::box({-1, -0.5, -0.25}, {1, 0.5, 0.25}, 3));
     const TriangleTree tree(shape.points, shape.triangles);
@@ -148,7 +148,7 @@ void TestTriangleTree::nearestIsThatOfAll() {
     }
 }
 
-/// A hundred times more triangles, and hardly more work.
+/// A hundred times as many triangles need hardly more work.
 void TestTriangleTree::looksAtFew() {
     const auto visitedBy = [](int rings) {
         const Shape shape = sphere(rings);

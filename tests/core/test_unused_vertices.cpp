@@ -49,8 +49,8 @@ Points<Dim> deformed(const SimplicialMesh<Dim>& mesh, const std::vector<Handle<D
     return result.outcome == Outcome::Done ? deformer.state().points : Points<Dim>();
 }
 
-/// Neither the pins' grip nor the unit of length feels them. Tolerance: another order of unknowns rounds
-/// otherwise.
+/// Spare vertices affect neither the pins nor the unit of length. The tolerance allows for another order of
+/// unknowns, which rounds otherwise.
 template <int Dim>
 void theShapeIsTheSame() {
     const SimplicialMesh<Dim> mesh = samples::strip<Dim>(4, 2, 2);
@@ -65,7 +65,7 @@ void theShapeIsTheSame() {
     }
 }
 
-/// A spare copy goes where its corner goes: in the end, in frames between, as a velocity, and by hand.
+/// A spare copy follows its corner: in the end, in frames between, as a velocity, and by hand.
 template <int Dim>
 void twinsMove() {
     const SimplicialMesh<Dim> mesh = samples::strip<Dim>(4, 2, 2);
@@ -134,7 +134,7 @@ void theyAreNowhereNear() {
     QVERIFY(Normalization<Dim>::of(mesh).centre == Normalization<Dim>::of(plain).centre);
 }
 
-/// A surface is embedded in the cells, also where its own points lie on spare vertices.
+/// A surface is embedded in the cells, also where its own points coincide with spare vertices.
 void surfacesRideOnCells() {
     const auto mesh = withSpares<3>(samples::strip<3>(2, 1, 2), 0);
     const Embedding<3> embedding(mesh, mesh.points);

@@ -60,7 +60,7 @@ Surface changed(const std::function<void(Surface&)>& change) {
 
 }  // namespace
 
-/// Every triangle with vertices of its own: those that no cell has do not count.
+/// Every triangle has vertices of its own: those without a cell do not count.
 void TestVolumeMesher::aimOfASoup() {
     const Surface whole = box({0, 0, 0}, {4, 1, 1}, 8);
     Surface soup;
@@ -163,7 +163,7 @@ void TestVolumeMesher::splitSurfaceKeepsLabels() {
     for (const auto& [label, difference] : areas) QVERIFY(std::abs(difference) < 1e-12);
 }
 
-/// Inside, where cells are made and not kept, each is as small as its place asks for; elsewhere they are not.
+/// Inside, where new cells are made, each is as small as its place requires; elsewhere they are not.
 void TestVolumeMesher::sizeFieldIsFollowed() {
     const Surface surface = box({0, 0, 0}, {2, 2, 2}, 8);
     const Vec3 centre(1, 1, 1);
@@ -207,7 +207,7 @@ void TestVolumeMesher::sizesDoNotMatter() {
     QVERIFY(result.aimMet);
 }
 
-/// Every triangle with vertices of its own, as many programs write them: it needs no repair.
+/// Every triangle has vertices of its own, as many programs write them: the surface needs no repair.
 void TestVolumeMesher::soupOfTriangles() {
     Surface soup;
     soup.points.resize(3, 3 * kBox.triangleCount());
@@ -220,7 +220,7 @@ void TestVolumeMesher::soupOfTriangles() {
     QVERIFY(volume.mesh.points.leftCols(soup.vertexCount()) == soup.points);  // in their order
 }
 
-/// Points that no triangle has, inside and outside, keep their numbers and disturb nobody.
+/// Points without a triangle, inside and outside, keep their numbers and have no effect.
 void TestVolumeMesher::strayPoints() {
     Surface surface = kBox;
     surface.points.conservativeResize(Eigen::NoChange, kBox.vertexCount() + 2);
@@ -308,8 +308,8 @@ void TestVolumeMesher::repairs() {
 
 namespace {
 
-/// A plate of 7 × 7 × 1 with unit squares on top, (0, 0) to (6, 6), of which some triangles are taken away:
-/// of a square both, or the one below or above its diagonal.
+/// A plate of 7 × 7 × 1 with unit squares on top, (0, 0) to (6, 6), without some triangles: both of a square,
+/// or the one below or above its diagonal.
 struct Taken {
     int x, y;
     bool below = true, above = true;
@@ -354,7 +354,7 @@ void TestVolumeMesher::holesThatMeet_data() {
     QTest::newRow("a hanging triangle") << hanging << 1;
 }
 
-/// Each is filled for itself, so that the plate is whole again.
+/// Each hole is filled separately, so that the plate is whole again.
 void TestVolumeMesher::holesThatMeet() {
     QFETCH(Surface, surface);
     QFETCH(int, holes);
@@ -371,8 +371,8 @@ void TestVolumeMesher::holesThatMeet() {
     QVERIFY(std::abs(volumeOf(meshVolume(repaired, {}).mesh) - 49) < 1e-12);
 }
 
-/// Holes that meet at two vertices, around two squares that hang there: the boundary of the one does not go
-/// on along the other.
+/// Holes meet at two vertices, around two squares attached there: the boundary of one does not continue along
+/// the other.
 void TestVolumeMesher::boundariesFollowTheHoles() {
     const Surface surface = plateWithout({{3, 1}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}});
     std::vector<std::size_t> sizes;

@@ -1,6 +1,6 @@
-// Welds: two parts of a shape that share points. What is checked against closed forms: the points stay
-// together, a part that turns about its joint moves rigidly and pulls nothing, parts welded at two points are
-// one, and handles that contradict a weld are told.
+// Welds: two parts of a shape that share points. Closed forms show that the points stay together, that a part
+// that rotates about its joint moves rigidly and pulls nothing, that parts welded at two points are one, and
+// that handles which contradict a weld are reported.
 #include <Eigen/Geometry>
 #include <QTest>
 #include <numbers>
@@ -75,7 +75,7 @@ Motion<2> turnedBy(double angle) {
     return {rotate};
 }
 
-/// Handles that hold the body, and turn the limb about its joint by one point.
+/// Returns handles that hold the body and rotate the limb about its joint by one point.
 std::vector<Handle<2>> handlesOf(double angle) {
     std::vector<Handle<2>> handles{handleAt("body", "body", {{0.2, 0.3}, {0.3, 0.8}}),
                                    handleAt("hand", "limb", {kHand})};
@@ -126,7 +126,7 @@ class TestWelds : public QObject {
         QVERIFY(std::abs(deformer.statistics().energy) < 1e-12);
     }
 
-    /// Without a pin of its own the limb hangs on the body: it goes along with a translation of it.
+    /// Without a pin of its own the limb is carried by the body: it follows its translation.
     void freeLimbGoesAlong() {
         Mesh mesh = bodyAndLimb(kAt);
         mesh.welds = {weldAt(mesh, kJoint)};
@@ -147,8 +147,8 @@ class TestWelds : public QObject {
         QVERIFY(std::abs(nearest(pose) - nearest(mesh.points)) < 0.02);
     }
 
-    /// What two welds hold at two places cannot turn: both parts together have no motion left, though neither
-    /// has two pins. With one weld the limb has.
+    /// Two welds at two places prevent a rotation: both parts together have no motion left, though neither
+    /// has two pins. With one weld the limb can rotate.
     void countsWhatWeldsHold() {
         Mesh mesh = bodyAndLimb(kAt);
         const auto components = cellComponents(mesh);
@@ -166,8 +166,8 @@ class TestWelds : public QObject {
         QCOMPARE(wellConstrained(mesh, components, withHand), (std::vector<bool>{true, true}));
     }
 
-    /// A field of least energy under welds is that of the mesh in which both points are one vertex, but for
-    /// smoothing, which goes over facets.
+    /// A field of least energy under welds is that of the mesh in which both points are one vertex, except
+    /// for smoothing, which acts over facets.
     void weldedVerticesAreOne() {
         Mesh mesh = bodyAndLimb({3, 0}, 9, 3);
         std::vector<int> of(static_cast<std::size_t>(mesh.vertexCount()));
@@ -218,7 +218,7 @@ class TestWelds : public QObject {
         make();
     }
 
-    /// Of parts over one another, a handle takes the frontmost one, or the one that it names.
+    /// A handle takes the frontmost of overlapping parts, or the one that it names.
     void handlesFindTheirPart() {
         const Mesh mesh = bodyAndLimb(kAt);
         const auto vertexOf = [&](const char* part) {

@@ -1,4 +1,4 @@
-// Loops that threads share: how far they are, and that a wish to stop ends them.
+// Loops that threads share: their progress, and a request to stop them.
 #include <QTest>
 #include <mutex>
 
@@ -44,7 +44,7 @@ void TestWorkerPool::everyItemOnce() {
     }
 }
 
-/// No thread begins a piece after the wish, and the next loop is whole again.
+/// No thread begins a piece after the request, and the next loop is complete.
 void TestWorkerPool::stoppedLoopsEnd() {
     constexpr int kUntil = 3;
     for (const int threads : {1, 2, 5}) {
@@ -69,7 +69,7 @@ void TestWorkerPool::stoppedLoopsEnd() {
     }
 }
 
-/// Each its share of what is left, hundredth by hundredth.
+/// Each measured loop covers its share of the remaining progress and reports it in hundredths.
 void TestWorkerPool::measuredLoopsTell() {
     for (const int threads : {1, 2}) {
         WorkerPool pool(threads);

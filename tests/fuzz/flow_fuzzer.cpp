@@ -1,7 +1,7 @@
 // flow_fuzzer SEED COUNT [FIRST]: deforms COUNT random shapes, half of them in the plane and half in space,
-// by random handles, and looks at every accepted state and at frames between: no cell may be turned over, and
-// constrained points stand where they should to 1e-12 of the size. A flow that cannot go on has to say
-// when, which handle and where. The same seed gives the same flows; exit code 0 if all is well.
+// by random handles, and checks every accepted state and frames between: no cell may be inverted, and
+// constrained points must be in their places to 1e-12 of the size. A flow that cannot continue has to report
+// the time, the handle and the place. The same seed gives the same flows; exit code 0 if there is no fault.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -36,7 +36,7 @@ std::string printed(double value) {
     return text;
 }
 
-/// Not the program's formula: cofactors in a longer format than that of the coordinates.
+/// Unlike the program, uses cofactors in a longer format than that of the coordinates.
 template <int Dim>
 bool turnedOver(const Points<Dim>& points, const Cell<Dim>& cell) {
     Eigen::Matrix<long double, Dim, Dim> e;
@@ -48,7 +48,8 @@ bool turnedOver(const Points<Dim>& points, const Cell<Dim>& cell) {
         return !(e.col(0).cross(e.col(1)).dot(e.col(2)) > 0);
 }
 
-/// Where translations and rotations at an even pace take a point; nothing for other motions.
+/// Returns the place to which translations and rotations at an even pace move a point; nothing for other
+/// motions.
 template <int Dim>
 std::optional<Vec<Dim>> placeOf(const Handle<Dim>& handle, Vec<Dim> p, double t) {
     for (const Motion<Dim>& motion : handle.motions) {
@@ -109,7 +110,7 @@ class Check {
     }
 
     void look(const Points<Dim>& points, double t, const std::string& what) {
-        // A shape that has become larger has fewer digits left behind the point.
+        // A shape that has grown has fewer digits after the point.
         m_grown = std::max(m_grown, shapeSize<Dim>(points, m_flow.mesh->cells).size / m_size);
         int inverted = 0;
         for (const Cell<Dim>& cell : m_flow.mesh->cells) inverted += turnedOver<Dim>(points, cell);

@@ -1,12 +1,12 @@
 // picture_fuzzer SEED COUNT [FOLDER [NAME]]: makes small pictures in every format that is read, changes them
-// at random, COUNT times each, and reads them. The same seed gives the same files. Every one has to be read,
-// or refused with a message that names it: anything else, five minutes of waiting included, is a finding.
-// Files over which the process that reads falls are counted, and kept in FOLDER: each is told in one line to
-// a user. With NAME, only samples with that in theirs. Exit code 0 if there is no finding.
+// at random, COUNT times each, and reads them. The same seed gives the same files. Each must be read, or
+// refused with a message that names it; anything else, including a wait of five minutes, is a finding. Files
+// that crash the reading process are counted and kept in FOLDER: a user gets one line for each. NAME
+// restricts the samples to those whose names contain it. Exit code 0 if there is no finding.
 //
-// To be run with glibc's checking allocator (LD_PRELOAD=libc_malloc_debug.so.0
-// GLIBC_TUNABLES=glibc.malloc.check=3): what is written behind a block ends the process when the block is
-// freed, in the libraries too, which no sanitizer has compiled.
+// Run it with glibc's checking allocator (LD_PRELOAD=libc_malloc_debug.so.0
+// GLIBC_TUNABLES=glibc.malloc.check=3): a write behind a block then ends the process when the block is freed,
+// also in libraries that no sanitizer has compiled.
 
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
@@ -79,7 +79,7 @@ void change(std::string& bytes, Random& random) {
     if (bytes.empty()) bytes = "x";
 }
 
-/// Else nothing behind the checksums would ever be reached.
+/// The code behind the checksums would never be reached without valid ones.
 void mendPngChecksums(std::string& bytes) {
     const auto word = [&](std::size_t at) {
         std::uint32_t value = 0;

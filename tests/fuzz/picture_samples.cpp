@@ -42,7 +42,7 @@ void add(std::vector<Sample>& samples, const fs::path& folder, const std::string
 
 // --- Put together by hand ---
 
-/// Least significant byte first.
+/// Encodes with the least significant byte first.
 std::string little(std::uint32_t value, unsigned size) {
     std::string bytes;
     for (unsigned k = 0; k < size; ++k) bytes += static_cast<char>(value >> 8 * k);
@@ -130,7 +130,8 @@ std::string tiff(unsigned bits, unsigned photometric) {
     return bytes + little(0, 4) + colours + pixels;
 }
 
-/// Shapes of every kind in groups, with gradients, a clip path, a mask, a reference and text.
+/// Returns a drawing with shapes of every kind in groups, with gradients, a clip path, a mask, a reference
+/// and text.
 std::string drawing() {
     return R"svg(<?xml version="1.0"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="40mm" height="30mm" viewBox="0 0 80 60">
@@ -149,7 +150,7 @@ std::string drawing() {
 )svg";
 }
 
-/// What a camera and an archive write beside the pixels: EXIF with its parts, IPTC, XMP and an ICC profile.
+/// Adds the metadata that a camera and an archive write: EXIF with its parts, IPTC, XMP and an ICC profile.
 void describe(OIIO::ImageSpec& spec) {
     spec.attribute("Make", "a camera");
     spec.attribute("Orientation", 6);

@@ -8,14 +8,13 @@ namespace wend::fuzz {
 
 struct Sample {
     std::string name, bytes;
-    /// What the reader says of the whole file behind its path, where one of its layers is of a kind that
-    /// cannot be read.
+    /// The reader's message after the path, if one of the layers is of an unsupported kind.
     std::string refusal = {};
 };
 
-/// Small sound pictures of every format that is read, in the layouts that each has: channels, depths,
-/// compressions, tiles, palettes. What OpenImageIO cannot write is put together byte by byte. `folder` is for
-/// files on the way.
+/// Returns small valid pictures of every supported format, in the layouts that each has: channels, depths,
+/// compressions, tiles, palettes. Those that OpenImageIO cannot write are put together byte by byte. `folder`
+/// is for temporary files.
 std::vector<Sample> makeSamples(const std::filesystem::path& folder);
 
 }  // namespace wend::fuzz

@@ -31,7 +31,7 @@ bool upright(const SimplicialMesh<Dim>& mesh) {
     });
 }
 
-/// Waves over the whole shape, and every vertex pushed aside a little.
+/// Adds waves over the whole shape, and moves every vertex aside a little.
 template <int Dim>
 Points<Dim> waved(const Points<Dim>& points, Random& random, double edge) {
     Points<Dim> result = points;
@@ -45,7 +45,7 @@ Points<Dim> waved(const Points<Dim>& points, Random& random, double edge) {
     return result;
 }
 
-/// A ball of cells is left out: of a strip that is a notch, a hole or an end.
+/// Leaves out a ball of cells, which makes a notch, a hole or an end of a strip.
 template <int Dim>
 void cutOut(SimplicialMesh<Dim>& mesh, Random& random) {
     const Vec<Dim> centre = mesh.points.col(below(random, mesh.vertexCount()));
@@ -56,7 +56,7 @@ void cutOut(SimplicialMesh<Dim>& mesh, Random& random) {
     if (left.size() > mesh.cells.size() / 2) mesh.cells = left;
 }
 
-/// A strip or block with waves, notches and holes; turned, in any unit, anywhere.
+/// Returns a strip or block with waves, notches and holes, rotated, in any unit and anywhere.
 template <int Dim>
 SimplicialMesh<Dim> randomShape(Random& random) {
     const int across = Dim == 2 ? 2 + below(random, 5) : 1 + below(random, 2);
@@ -80,7 +80,7 @@ double randomPhi(Random& random) {
                                : uniform(random, phi::kEquia, phi::conformal(Dim));
 }
 
-/// φ the same, blended along a direction, or different in every cell; so is B.
+/// φ and B are constant, blended along a direction, or different in every cell.
 template <int Dim>
 Material<Dim> randomMaterial(const SimplicialMesh<Dim>& mesh, Random& random) {
     Material<Dim> material = Material<Dim>::uniform(mesh.cellCount(), randomPhi<Dim>(random));
@@ -136,7 +136,7 @@ Motion<Dim> randomMotion(const Vec<Dim>& at, double size, Random& random) {
     return motion;
 }
 
-/// At vertices, at points within cells, or at all vertices in a ball.
+/// Returns handles at vertices, at points within cells, or at all vertices in a ball.
 template <int Dim>
 Handle<Dim> randomHandle(const SimplicialMesh<Dim>& mesh, double size, Random& random) {
     const Cell<Dim>& cell = mesh.cells[static_cast<std::size_t>(below(random, mesh.cellCount()))];

@@ -1,5 +1,4 @@
-// An OpenCL driver that never comes back: it sleeps, or with WEND_TEST_DRIVER=loop computes, while it is
-// loaded.
+// An OpenCL driver that never returns from loading: it sleeps, or with WEND_TEST_DRIVER=loop computes.
 #include <unistd.h>
 
 #include <cstdlib>

@@ -151,7 +151,7 @@ void TestOpenCl::runsRepeat() {
     QVERIFY(a == b);
 }
 
-/// A real device that is lost after some calls, as when its driver is reset.
+/// A real device is lost after some calls, as when its driver is reset.
 template <int Dim>
 class LostDevice final : public BackEnd<Dim> {
   public:
@@ -177,7 +177,7 @@ class LostDevice final : public BackEnd<Dim> {
     int m_calls;
 };
 
-/// The processor's share of the work, the factor, keeps to the threads that were asked for.
+/// The processor's share of the work, the factor, keeps to the requested number of threads.
 void TestOpenCl::threadsAreAsWished() {
     std::mt19937 random(3);
     const auto mesh = unitGrid<2>(75, 0.1, random);

@@ -1,5 +1,5 @@
-// The stages of a step on an OpenCL device: against the processor's, what is copied, and in whole
-// deformations.
+// The stages of a step on an OpenCL device: compared with the processor's, with the amount of copied data,
+// and in whole deformations.
 #include <QDateTime>
 #include <QDir>
 #include <QMap>
@@ -147,9 +147,9 @@ struct Bending {
         return (plan->vertexCount + OpenClStages<Dim>::kChunk - 1) / OpenClStages<Dim>::kChunk *
                sizeof(double);
     }
-    /// Comes with the constraints.
+    /// The mass regularization is copied with the constraints.
     std::size_t massRegularization() const { return plan->cellCount() * sizeof(double); }
-    /// The energy of the last field, which the report tells.
+    /// The energy of the last field is copied for the report.
     std::size_t energies() const { return plan->cellCount() * sizeof(double); }
 
     samples::Bend<Dim> bend;
@@ -158,10 +158,10 @@ struct Bending {
     std::optional<Deformer<Dim>> deformer;
 };
 
-/// A factor for every field. Every evaluation: a field up for every product with the matrix, one product down
-/// (the right-hand side, and the residual after each solve), the matrix down, the places of folded cells
-/// down, and the velocity up as a slope. Every step: its start up, its end down, and the norms of its errors,
-/// up to three for Adams.
+/// Every field has a factor of its own. Every evaluation copies a field up for every product with the matrix,
+/// one product down (the right-hand side, and the residual after each solve), the matrix down, the places of
+/// folded cells down, and the velocity up as a slope. Every step copies its start up, its end down, and the
+/// norms of its errors, up to three for Adams.
 template <int Dim>
 void checkDirect(Method method) {
     IntegrationOptions options;
@@ -185,9 +185,9 @@ void checkDirect(Method method) {
     QVERIFY(norms / bending.norm() <= (method == Method::Adams ? 3 * attempts : 0));
 }
 
-/// The same with factors that are used again: the matrix and the factor's shape come down for new factors
-/// only, and with every other field the distance from that shape and the one from the shape whose rotations
-/// may serve; the shape itself where they do not. Shapes ahead, for factors, go up.
+/// With reused factors the matrix and the factor's shape come down for new factors only, and with every other
+/// field the distance from that shape and the one from the shape whose rotations may serve, or the shape
+/// itself where they do not. Shapes ahead, for factors, are copied up.
 template <int Dim>
 void checkIterations() {
     IntegrationOptions options;
@@ -203,7 +203,7 @@ void checkIterations() {
     // Of a run of iterations the last one needs no product, as a rule.
     QVERIFY(products < static_cast<std::size_t>(counts.solverIterations) + evaluations);
     const std::size_t up = counts.copied.toDevice - before.toDevice - bending.massRegularization();
-    // A shape ahead is set, and goes up again for the distances from it.
+    // A shape ahead is set, and is copied up again for the distances from it.
     const std::size_t ahead = 2 * bending.calls.shapes;
     QCOMPARE(up, vector * (products + 4 * steps + steps + 1 + ahead));
     const std::size_t down = counts.copied.fromDevice - before.fromDevice;
@@ -321,7 +321,8 @@ void TestOpenClStages::notANumberIsSeen() {
     }
 }
 
-/// A step of four stages: y and the slopes up, whatever is made of them; what is asked for down, once.
+/// A step of four stages copies y and the slopes up once, whatever is computed from them, and the results
+/// down once.
 void TestOpenClStages::vectorsGoToTheDeviceOnce() {
     OpenClContext cl(device());
     OpenClStages<2> stages(cl, kVertices);
@@ -391,7 +392,8 @@ void TestOpenClStages::aDeviceIsLostAnywhere_data() {
     QTest::newRow("Adams") << int(Method::Adams);
 }
 
-/// After so many calls, in any of them: the run goes on from the same numbers, to the same result.
+/// The device is lost after any number of calls, in any of them: the run continues from the same numbers to
+/// the same result.
 void TestOpenClStages::aDeviceIsLostAnywhere() {
     QFETCH(int, method);
     IntegrationOptions options;
@@ -414,7 +416,7 @@ void TestOpenClStages::aDeviceIsLostAnywhere() {
     }
 }
 
-/// Who holds its workers in the moment of the loss may go on using them.
+/// An owner of the workers at the moment of the loss may still use them.
 void TestOpenClStages::workersOutliveTheirDevice() {
     const SimplicialMesh<2> rest = samples::strip<2>(4, 2, 4);
     const auto material = Material<2>::uniform(rest.cellCount(), phi::kMetr);

@@ -89,7 +89,7 @@ void TestOpenClWarp::agreesWithTheProcessor_data() {
                       static_cast<int>(filter))
             << static_cast<int>(type) << channels << static_cast<int>(filter);
     };
-    // A program is compiled for each.
+    // A program is compiled for each filter.
     for (Filter filter : {Filter::Nearest, Filter::Bilinear, Filter::Bicubic, Filter::Ewa})
         row(PixelType::UInt8, 4, filter);
     row(PixelType::UInt16, 4, Filter::Ewa);
@@ -150,7 +150,7 @@ void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices_data() {
     QTest::newRow("16 bits, associated") << static_cast<int>(PixelType::UInt16) << 4 << false << "tif";
 }
 
-/// A strip of many alphas that is rolled up, as the window draws it (at both of its qualities), as it is
+/// A rolled-up strip of many alphas is compared as the window draws it (at both of its qualities), as it is
 /// exported, and as a device paints it.
 void TestOpenClWarp::overlapsAreOneOnScreenInFilesAndOnDevices() {
     QFETCH(int, type);
@@ -193,8 +193,8 @@ void TestOpenClWarp::stripsAreTheWhole() {
     }
 }
 
-/// Of the later frames of a sequence only the cells' maps go to the device, and the pixels' cells; another
-/// picture takes the first one's place.
+/// For the later frames of a sequence only the cells' maps and the pixels' cells are copied to the device;
+/// another picture replaces the first one.
 void TestOpenClWarp::thePictureGoesToTheDeviceOnce() {
     std::string why;
     const auto picture = std::make_shared<OpenClPicture>(chooseOpenClDevice({}, why).value(), DeviceNotice());

@@ -6,7 +6,8 @@
 
 using namespace wend;
 
-/// A build without OpenCL: the processor does all, and who asks for a device is told why there is none.
+/// In a build without OpenCL the processor does everything, and a request for a device gets the reason why
+/// there is none.
 class TestWithoutOpenCl : public QObject {
     Q_OBJECT
   private slots:

@@ -4,8 +4,8 @@
 
 namespace wend::test {
 
-/// The same bar as a cut-out and as a solid, 4 long and 1 high in numbers of its own: u from −2 to 2, v from
-/// −½ to ½, over what is seen of it.
+/// The same bar as a cut-out and as a solid, 4 long and 1 high in its own coordinates: u from −2 to 2, v from
+/// −½ to ½, over its visible part.
 template <int Dim>
 struct Bar;
 
@@ -31,7 +31,7 @@ inline void dimensions() {
     QTest::newRow("solid") << 3;
 }
 
-/// In a test with the data of dimensions(): the body for the one that it is for.
+/// Runs the body of the current dimension, in a test with the data of dimensions().
 #define BOTH(body)          \
     QFETCH(int, dimension); \
     if (dimension == 2)     \

@@ -8,7 +8,7 @@
 
 namespace wend::test {
 
-/// The children of a process, by the system's own account.
+/// Returns the children of a process, as the system lists them.
 inline QList<pid_t> childrenOf(qint64 parent) {
     QList<pid_t> children;
     for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {

@@ -6,7 +6,7 @@
 
 namespace wend::test {
 
-/// Of the standard for readable text (WCAG 2).
+/// Returns the luminance of the standard for readable text (WCAG 2).
 inline double luminance(const QColor& colour) {
     const auto linear = [](double c) {
         return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);

@@ -9,11 +9,11 @@
 #include <QTimer>
 #include <functional>
 
-/// Answers of dialogs that a test is going to open.
+/// Answers to dialogs that a test is about to open.
 
 namespace wend::test {
 
-/// Does `act` with the next dialog of this kind, whenever it opens; no longer once `scope` is gone.
+/// Calls `act` with the next dialog of this kind, whenever it opens, unless `scope` is destroyed before.
 template <typename Dialog, typename Act>
 void withNext(QObject* scope, Act act) {
     auto* timer = new QTimer(scope);
@@ -27,8 +27,8 @@ void withNext(QObject* scope, Act act) {
     timer->start(50);
 }
 
-/// Shows `act` whatever dialog is open, again and again until `scope` is gone; also while one that it has
-/// opened itself waits. (A QTimer does not fire within its own slot.)
+/// Passes any open dialog to `act` repeatedly until `scope` is destroyed, even while a dialog that `act` has
+/// opened waits. (A QTimer does not fire within its own slot.)
 inline void whileAsked(QObject* scope, const std::function<void(QWidget&)>& act) {
     QTimer::singleShot(50, scope, [scope, act] {
         whileAsked(scope, act);

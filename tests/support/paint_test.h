@@ -12,7 +12,7 @@
 
 namespace wend::test {
 
-/// What tests that paint on the bar have in common: the window, its brush, strokes and what they leave.
+/// The base of tests that paint on the bar: the window, its brush, strokes and their results.
 class PaintTest : public QObject {
   protected:
     void begin() {
@@ -71,7 +71,7 @@ class PaintTest : public QObject {
         m_f->window().actions().undo->trigger();
         return settle(m_f->session());
     }
-    /// A tetrahedron's middle lies below the surface.
+    /// A tetrahedron's middle is below the surface.
     template <int Dim>
     void eraseWith(double radius) {
         m_f->tool("eraser")->trigger();

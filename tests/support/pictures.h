@@ -62,7 +62,7 @@ inline SimplicialMesh<2> rectangle(const Vec2& low, const Vec2& high, int n) {
     return mesh;
 }
 
-/// Two parts of one shape; the second one lies over the first.
+/// Joins two parts into one shape; the second one is over the first.
 inline SimplicialMesh<2> joined(SimplicialMesh<2> mesh, const SimplicialMesh<2>& other) {
     const int first = mesh.vertexCount();
     mesh.points.conservativeResize(2, first + other.vertexCount());

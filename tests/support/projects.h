@@ -13,10 +13,10 @@ class Document;
 
 namespace test {
 
-// What most tests do with a whole project: out of line, so that a change of what it holds makes few of them
-// anew.
+// Common operations of tests on a whole project, out of line, so that few tests are rebuilt when its contents
+// change.
 
-/// A project of that picture, cut out, or of that surface, with a coarse mesh, for speed.
+/// Returns a project of that picture, cut out, or of that surface, with a coarse mesh, for speed.
 std::shared_ptr<Project> barProject(const QString& picture, int vertices = 400);
 std::shared_ptr<Project> solidProject(const QString& surface, int vertices);
 
@@ -24,7 +24,7 @@ std::shared_ptr<Project> solidProject(const QString& surface, int vertices);
 template <int Dim = 2>
 Project withPin(const Project& project, const Vec<Dim>& rest, const std::string& name);
 
-// One step of the document each.
+// Each makes one step of the document.
 void setVertices(Document& document, int vertices);
 void setLength(Document& document, double length);
 template <int Dim = 2>

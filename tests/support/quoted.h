@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <string>
 
-/// JSON in which ' stands for ", for texts that can be read. (Raw strings would do, but moc stumbles over
-/// them.)
+/// Converts ' to " in JSON, so that the texts are readable. (moc cannot parse raw strings.)
 inline std::string json(std::string text) {
     std::ranges::replace(text, '\'', '"');
     return text;

@@ -22,9 +22,9 @@
 
 namespace wend::test {
 
-/// A hand that does anything at any time: strokes with whatever tool, and in the middle of them keys, the
-/// wheel, another tool, undo, fields of panels. It leaves alone what opens and writes files, what makes the
-/// window another one, and what drags data out of it.
+/// A hand that does anything at any time: strokes with any tool, interrupted by keys, the wheel, other tools,
+/// undo and fields of panels. It avoids actions that open or write files, that replace the window's contents,
+/// or that drag data out of it.
 class RandomHand {
   public:
     RandomHand(MainWindow& window, unsigned seed) : m_window(window), m_random(seed) {
@@ -38,7 +38,7 @@ class RandomHand {
         m_closing.start(100);  // a button's menu keeps the hand until it is closed
     }
 
-    /// One deed. Its name is told on the standard error output if `tells`.
+    /// Does one action; if `tells`, prints its name to standard error.
     void act(bool tells) {
         m_tells = tells;
         closePopup();
@@ -56,13 +56,13 @@ class RandomHand {
             shortDeed();
         for (int i = upTo(4); i > 0; --i) QCoreApplication::processEvents();
     }
-    /// Whatever is down comes up, whatever is open is closed.
+    /// Releases everything that is pressed and closes everything that is open.
     void letGo() {
         while (QApplication::activePopupWidget()) closePopup();
         if (m_held != 0) releaseKey();
         m_window.session().playback().setPlaying(false);
     }
-    /// The last deeds, one a line.
+    /// Returns the last actions, one a line.
     QString lately() const { return m_lately.join('\n'); }
 
   private:
@@ -85,7 +85,7 @@ class RandomHand {
         return all;
     }
 
-    /// The view of the shape, or its other half where two are compared.
+    /// Returns the view of the shape, or its other half where two are compared.
     QWidget* view() {
         CompareView& halves = m_window.compared();
         const bool other = halves.isSplit() && upTo(3) == 0;
@@ -93,7 +93,7 @@ class RandomHand {
             return other ? &halves.picture() : &m_window.canvas();
         return other && halves.solid() ? halves.solid() : m_window.solids().canvas();
     }
-    /// Where strokes are made: mostly there, also on the tracks.
+    /// Returns the widget for strokes: mostly the view, sometimes the tracks.
     QWidget* place() {
         auto* tracks = m_window.findChild<TrackView*>();
         if (tracks->isVisible() && upTo(4) == 0) return tracks->viewport();
@@ -117,7 +117,7 @@ class RandomHand {
         return session.document().dimension() == 2 ? m_window.canvas().onScreen(at)
                                                    : m_window.solids().canvas()->onScreen(at);
     }
-    /// Of a widget: on the shape, on a pin, on its edge, outside, anywhere.
+    /// Returns a place of a widget: on the shape, on a pin, on its edge, outside, anywhere.
     QPointF spot(const QWidget& widget) {
         const int which = upTo(100);
         const bool isView = &widget != m_window.findChild<TimeStrip*>()->slider() &&
@@ -203,7 +203,7 @@ class RandomHand {
         QApplication::sendEvent(on, &event);
     }
 
-    /// What can be done in the middle of a stroke, too.
+    /// Does an action that is possible in the middle of a stroke, too.
     void shortDeed() {
         using Deed = void (RandomHand::*)();
         static constexpr std::pair<int, Deed> kDeeds[] = {
@@ -249,7 +249,7 @@ class RandomHand {
         choose(tools.toolsOf(tools.mode()));
     }
     void chooseStep() { choose({m_window.tools().modeAction(kModes[upTo(int(std::size(kModes)))])}); }
-    /// Some of what menus and tool bars offer, anywhere.
+    /// Triggers some action of the menus and tool bars.
     void chooseAction() { choose(m_window.findChildren<QAction*>()); }
     void choose(QList<QAction*> from) {
         from.removeIf([this](const QAction* one) {
@@ -285,7 +285,7 @@ class RandomHand {
         const auto all = fields<Field>();
         return all.isEmpty() ? nullptr : all[upTo(static_cast<int>(all.size()))];
     }
-    /// Sliders, lists and boxes with numbers, by the keyboard.
+    /// Uses sliders, lists and boxes with numbers, by the keyboard.
     void useField() {
         QWidget* field = nullptr;
         const int which = upTo(3);
@@ -316,7 +316,7 @@ class RandomHand {
         tell(QStringLiteral("button %1 %2").arg(one->text(), one->accessibleName()));
         one->click();
     }
-    /// Of pins, of layers.
+    /// Clicks a list of pins or of layers.
     void clickList() {
         QList<QAbstractItemView*> lists = fields<QAbstractItemView>();
         if (lists.isEmpty()) return;

@@ -6,8 +6,8 @@
 
 namespace wend::test {
 
-/// Runs `check` on every SIMD target of this processor, least first, until a check fails; then the best
-/// target is in use again.
+/// Runs `check` on every SIMD target of this processor, least first, until a check fails; then restores the
+/// best target.
 template <class Check>
 void onEveryTarget(Check check) {
     for (const SimdTarget target : supportedSimdTargets()) {

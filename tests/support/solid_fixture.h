@@ -40,7 +40,7 @@ class SolidFixture {
         canvas().setFocus();
         return settled && active;
     }
-    /// A picture instead, as in the window's other tests.
+    /// Opens a picture instead, as in the window's other tests.
     bool openPicture() {
         m_window.openPath(writeCutOut(m_folder));
         if (!QTest::qWaitFor([&] { return !session().document().isEmpty(); }, 20000)) return false;
@@ -51,8 +51,8 @@ class SolidFixture {
         m_window.canvas().setFocus();
         return settled && active;
     }
-    /// The bar, or the picture, as a project whose mesh is coarse from the first: what can be undone is what
-    /// was done since.
+    /// Opens the bar, or the picture, as a project whose mesh is coarse from the first, so that only later
+    /// changes can be undone.
     bool openProject(int dimension, int vertices) {
         const auto project =
             dimension == 2 ? barProject(writeCutOut(m_folder), vertices) : solidProject(writeBar(), vertices);
@@ -64,7 +64,8 @@ class SolidFixture {
         m_window.openPath(path);
         return takeOpened([&] { return session().document().source() == path; });
     }
-    /// Once it is open: the window is active, the view has the keyboard, a solid is seen from the front.
+    /// Waits for the opened file: the window is active, the view has the keyboard, a solid is seen from the
+    /// front.
     template <class IsOpen>
     bool takeOpened(const IsOpen& isOpen) {
         if (!QTest::qWaitFor(isOpen, 60000)) return false;
@@ -75,12 +76,12 @@ class SolidFixture {
         view().setFocus();
         return settled && active;
     }
-    /// Of the picture, or of the solid.
+    /// Returns the view of the picture or of the solid.
     QWidget& view() {
         if (session().document().dimension() == 3) return canvas();
         return m_window.canvas();
     }
-    /// Both ends as handles 0 and 1, the second selected.
+    /// Makes both ends handles 0 and 1, the second selected.
     bool holdEnds() {
         const auto frame = session().motion().frame<3>();
         for (const double x : {-2.0, 2.0}) {
@@ -126,7 +127,7 @@ class SolidFixture {
         QTest::mouseMove(&canvas(), where);
         QTest::mouseClick(&canvas(), Qt::LeftButton, modifiers, where);
     }
-    /// The bar as an OBJ file.
+    /// Writes the bar as an OBJ file.
     QString writeBar() {
         const Surface bar = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 6);
         const QString path = m_folder.filePath(QStringLiteral("bar.obj"));
@@ -139,7 +140,7 @@ class SolidFixture {
             out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
         return path;
     }
-    /// For looking at: saved where the variable says.
+    /// Saves a screenshot for inspection, in the folder that the variable names.
     void picture(const QString& name) {
         if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
         const auto isDrawn = [this] {

@@ -49,7 +49,7 @@ inline WebpFrames webpFrames(const QString& path) {
     return frames;
 }
 
-/// The largest difference of what is seen: of a transparent pixel no colour is.
+/// Returns the largest visible difference: transparent pixels have no colour.
 inline int seenDifference(const QImage& one, const QImage& other) {
     if (one.size() != other.size()) return 256;
     int largest = 0;

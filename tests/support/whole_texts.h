@@ -15,11 +15,11 @@
 #include <QToolButton>
 #include <algorithm>
 
-/// What a window does not show of its own words, and what it does not say to those who hear it.
+/// Finds clipped texts in a window, and widgets without an accessible name.
 
 namespace wend::test {
 
-/// How a line names a widget that a test complains of.
+/// Returns the description of a widget in a test's message.
 inline QString placeOf(const QWidget& widget, const QString& text) {
     const QWidget* parent = widget.parentWidget();
     return QStringLiteral("“%1” (%2 in %3)")
@@ -38,7 +38,7 @@ inline QString wordsOf(const QWidget& widget) {
     return button && !isIconOnly(widget) ? button->text() : QString();
 }
 
-/// The room that the words need: as bold as a button's become when it is chosen.
+/// Returns the size that the text needs, as bold as a chosen button's.
 inline QSize neededFor(const QWidget& widget, const QString& text) {
     const auto* label = qobject_cast<const QLabel*>(&widget);
     if (label && label->wordWrap()) return {0, label->heightForWidth(label->width())};
@@ -52,7 +52,7 @@ inline QSize neededFor(const QWidget& widget, const QString& text) {
     return QFontMetrics(font).size(Qt::TextShowMnemonic, text);
 }
 
-/// Any of a list's entries may be the chosen one.
+/// Returns the width of the widest entry, since any may be the chosen one.
 inline int neededFor(const QComboBox& box) {
     int width = 0;
     for (int i = 0; i < box.count(); ++i) {
@@ -71,7 +71,7 @@ inline int roomOf(const QComboBox& box) {
         .width();
 }
 
-/// The part of a widget that its parents leave of it. What scrolls is looked at to its sides only.
+/// Returns the part of a widget that its parents leave visible. Scrolling parents clip at the sides only.
 inline QRect leftOf(const QWidget& widget) {
     QRect rect = widget.rect();
     bool scrolls = false;
@@ -121,7 +121,7 @@ inline void tellNarrow(const QWidget& widget, QStringList& wrong) {
                      .arg(widget.height());
 }
 
-/// Words that lie on one another: by more than the rims that buttons have around them.
+/// Adds texts that overlap by more than the rims that buttons have around them.
 inline void tellOverlaps(const QWidget& parent, QStringList& wrong) {
     QList<const QWidget*> seen;
     for (const QObject* child : parent.children()) {
@@ -135,7 +135,7 @@ inline void tellOverlaps(const QWidget& parent, QStringList& wrong) {
     }
 }
 
-/// What makes a panel as wide as it has to be: the innermost part that needs the most.
+/// Describes the innermost part that determines a panel's minimum width.
 inline QString widestIn(const QWidget& panel) {
     const QWidget* widest = &panel;
     for (const QWidget* next = widest; next; widest = next ? next : widest) {
@@ -152,8 +152,8 @@ inline QString widestIn(const QWidget& panel) {
     return placeOf(*widest, words.isEmpty() ? widest->objectName() : words.join(' '));
 }
 
-/// What does not have the room for its text, or is not within its window, and panels that are wider than the
-/// place that they scroll in.
+/// Returns widgets without room for their text or outside their window, and panels wider than their scroll
+/// areas.
 inline QStringList cutOff(const QWidget& window) {
     QStringList wrong;
     tellOverlaps(window, wrong);
@@ -170,7 +170,7 @@ inline QStringList cutOff(const QWidget& window) {
     return wrong;
 }
 
-/// What takes the keyboard and does not say what it is.
+/// Returns widgets that take the keyboard and have no accessible name.
 inline QStringList nameless(const QWidget& window) {
     QStringList wrong;
     for (QWidget* widget : window.findChildren<QWidget*>()) {

@@ -30,7 +30,8 @@ inline QString writeCutOut(const QTemporaryDir& folder, const QString& name = QS
     return path;
 }
 
-/// Waits until nothing is being computed and the frame shows what the document says; tells what is missing.
+/// Waits until nothing is being computed and the frame matches the document; otherwise prints which condition
+/// fails.
 inline bool settle(ShapeSession& session) {
     QString problem;
     const auto listening = QObject::connect(&session.motion(), &ShapeMotion::problem,
@@ -57,7 +58,8 @@ void settleLayout(const Widget& widget) {
     } while (widget.geometry() != before);
 }
 
-/// Shows it, and makes it the active window, to which keys go: where no window manager is, none does that.
+/// Shows the window and makes it the active one, which gets the keys: without a window manager nothing else
+/// does.
 template <class Window>  // tests without widgets include this, too
 bool showActive(Window& window) {
     window.show();
@@ -65,8 +67,8 @@ bool showActive(Window& window) {
     return QTest::qWaitForWindowActive(&window, 20000);
 }
 
-/// A folder that keeps the settings, too: from when it is there, so before the windows, which read and write
-/// them as soon as they are made.
+/// A folder that also holds the settings. It must exist before the windows, which read and write them as soon
+/// as they are made.
 class TestFolder : public QTemporaryDir {
   public:
     TestFolder() {

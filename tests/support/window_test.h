@@ -8,7 +8,7 @@
 
 namespace wend::test {
 
-/// What tests of the window with a picture have in common: the window, and a hand in its view.
+/// The base of tests of the window with a picture: the window, and mouse events in its view.
 class WindowTest : public QObject {
   protected:
     void begin() {

@@ -1,4 +1,4 @@
-// Stands where OpenImageIO looks for plug-ins: a process that loads it leaves a file.
+// A plug-in in the folder that OpenImageIO searches: a process that loads it leaves a file.
 #include <cstdio>
 #include <cstdlib>
 

@@ -30,14 +30,14 @@ Image blank(int width, int height, PixelLayout layout) {
     return image;
 }
 
-/// Random numbers: colours under zero alpha as well.
+/// Returns random numbers, with colours under zero alpha as well.
 Image chart(int width, int height, PixelLayout layout) {
     Image image = randomPicture(width, height, layout.channels, layout.type, layout.alpha);
     image.unassociated = layout.unassociated;
     return image;
 }
 
-/// Smooth, as photographs are, for the lossy formats.
+/// Returns a smooth picture like a photograph, for the lossy formats.
 Image smoothChart(int width, int height, PixelLayout layout) {
     Image image = blank(width, height, layout);
     std::vector<float> row(static_cast<std::size_t>(width * layout.channels));
@@ -94,7 +94,7 @@ QByteArray withoutChunk(const QByteArray& png, const char* name) {
     return png.left(at) + png.mid(at + 12 + length);
 }
 
-/// One strip of 8 bits: grey or RGB, and a sample without a word about it, or one that is "unspecified".
+/// Returns a TIFF of one strip of 8 bits: grey or RGB, and a sample that is undeclared or "unspecified".
 QByteArray plainTiff(quint16 width, quint16 height, quint16 samples, bool unspecified,
                      const QByteArray& pixels) {
     const auto number = [](quint32 value, int bytes) {
@@ -118,7 +118,7 @@ QByteArray plainTiff(quint16 width, quint16 height, quint16 samples, bool unspec
     return file + pixels;
 }
 
-/// Whether a profile means the same colours, by what Qt makes of some.
+/// Returns whether a profile means the same colours, by some that Qt converts.
 bool sameColours(const std::vector<std::byte>& profile, const QColorSpace& space) {
     const QColorSpace found = QColorSpace::fromIccProfile(
         QByteArray(reinterpret_cast<const char*>(profile.data()), static_cast<qsizetype>(profile.size())));
@@ -164,7 +164,8 @@ class TestImage : public QObject {
     std::string path(const QString& name) const { return m_folder.filePath(name).toStdString(); }
 
   private slots:
-    /// Large enough for large pages, whose borders lie within; the second time over what was there.
+    /// The picture is large enough for large pages, whose borders are within it; the second call overwrites
+    /// the old pixels.
     void madePixelsAreZero() {
         Image image{1500, 1100, 4, PixelType::Float, true, false, {}, nullptr};
         for (int i = 0; i < 2; ++i) {
@@ -215,7 +216,7 @@ class TestImage : public QObject {
                 QCOMPARE(QColor(pixel[0], pixel[1], pixel[2]).rgb(), seen.pixel(x, y) | 0xff000000);
     }
 
-    /// A TIFF that says of its three numbers that they are L*, a*, b*.
+    /// A TIFF declares its three numbers as L*, a*, b*.
     void otherColoursAreRefused_data() {
         QTest::addColumn<int>("photometric");
         for (const int kind : {8, 9, 10}) QTest::addRow("%d", kind) << kind;
@@ -364,7 +365,7 @@ class TestImage : public QObject {
         }
     }
 
-    /// Numbers, several of them, texts and several of those: what is packed is unpacked.
+    /// Numbers, lists of them, texts and lists of those are unpacked as they were packed.
     void descriptionIsPacked() {
         OIIO::ImageSpec spec(640, 480, 3, OIIO::TypeDesc::UINT8);
         spec.x = -3, spec.full_y = 7, spec.full_width = 700;
@@ -386,7 +387,7 @@ class TestImage : public QObject {
         QCOMPARE(unpacked("no description").extra_attribs.size(), std::size_t(0));
     }
 
-    /// What a camera wrote beside the pixels.
+    /// The metadata that a camera wrote are kept.
     void descriptionSurvives_data() {
         QTest::addColumn<QString>("extension");
         for (const char* extension : {"png", "tif", "jpg", "webp"})
@@ -414,8 +415,8 @@ class TestImage : public QObject {
         QVERIFY(extension == "jpg" || read.data == image.data);
     }
 
-    /// A picture is its display window; what is written of it stores the same part of it again, or as much as
-    /// is not zero.
+    /// A picture is its display window; its export stores the same part of it again, or the part that is not
+    /// zero.
     void displayWindowIsThePicture() {
         const Image part = chart(20, 16, {PixelType::Half, 4, true, false});
         writeExr("window.exr", part, {3, 5, 40, 30, -2, 1});
@@ -478,7 +479,7 @@ class TestImage : public QObject {
                 QTest::addRow("%d samples, %s", samples, unspecified ? "unspecified" : "not named")
                     << samples << unspecified;
     }
-    /// Of a TIFF whose last sample has no declared kind, by a tag that says so or without one.
+    /// The last sample of a TIFF has no declared kind, with a tag that says so or without one.
     void undeclaredSampleIsAlpha() {
         QFETCH(int, samples);
         QFETCH(bool, unspecified);
@@ -598,7 +599,7 @@ class TestImage : public QObject {
         QVERIFY(losesProfile("a.bmp", image));
     }
 
-    /// The same picture makes the same file on another day: no library puts the time of writing in.
+    /// The same picture gives the same file on another day: no library writes the time.
     void filesAreNotDated_data() {
         QTest::addColumn<QString>("extension");
         for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "jp2", "ppm", "hdr"})
@@ -616,7 +617,7 @@ class TestImage : public QObject {
                 QVERIFY(!bytes.contains(QDate::currentDate().addDays(days).toString(way).toLatin1()));
     }
 
-    /// OpenJPEG would leave a file of nothing.
+    /// OpenJPEG would write an empty file.
     void tooSmallForJpeg2000() {
         const PixelLayout layout{PixelType::UInt8, 3, false, false};
         writeImage(path("small.jp2"), smoothChart(32, 33, layout));
@@ -624,7 +625,7 @@ class TestImage : public QObject {
         QVERIFY(!QFile::exists(m_folder.filePath("smaller.jp2")));
     }
 
-    /// A line drawing of few colours is packed a second time, beyond what deflate does.
+    /// A line drawing of few colours is packed a second time, beyond deflate.
     void packedPixelsAreRead_data() {
         QTest::addColumn<int>("format");
         QTest::newRow("1 bit gray") << int(QImage::Format_Mono);
@@ -671,7 +672,7 @@ class TestImage : public QObject {
         QVERIFY(readImage(path("c.png")).data == read.data);
     }
 
-    /// Crop windows near the ends of what 32 bits hold: sums of places and rows would begin again below zero.
+    /// Crop windows are near the limits of 32 bits: sums of places and rows would overflow.
     void farAwayIsRefused_data() {
         QTest::addColumn<QString>("extension");
         QTest::addColumn<int>("x");
@@ -836,7 +837,8 @@ class TestImage : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, writeImage(path("a.png"), Image()));
     }
 
-    /// Each damaged in one way, with checksums that fit: refused before libpng would print a line of its own.
+    /// Each file is damaged in one way, with valid checksums: it is refused before libpng prints a line of
+    /// its own.
     void brokenPngStructure_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<QString>("reason");
@@ -898,7 +900,7 @@ class TestImage : public QObject {
     }
 
   private:
-    /// x, y of the pixels and size of the display window, and its x and y.
+    /// Writes an EXR file with x, y of the pixels and the size of the display window, and its x and y.
     void writeExr(const QString& name, const Image& image, const std::array<int, 6>& window) {
         OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::HALF);
         spec.x = window[0], spec.y = window[1], spec.full_width = window[2], spec.full_height = window[3];
@@ -909,7 +911,7 @@ class TestImage : public QObject {
                                output->close();
         if (!isWritten) qFatal("no EXR");
     }
-    /// Writes the picture; data window and display window of the file, each with its place first.
+    /// Writes the picture; returns data window and display window of the file, each with its place first.
     std::array<int, 8> windowsOf(const QString& name, const Image& image) {
         writeImage(path(name), image);
         const auto input = OIIO::ImageInput::open(path(name));

@@ -1,4 +1,4 @@
-// The ground behind what was cut out, filled by G'MIC.
+// The ground behind a cut-out part, filled by G'MIC.
 
 #include <QtTest>
 #include <cmath>
@@ -26,8 +26,8 @@ void TestInpaint::stemsAreContinued_data() {
     QTest::newRow("cut-out") << 10.0 << true;
 }
 
-/// A dark stem over a noisy ground goes on through a hole that is many times as wide, and is not repeated in
-/// it.
+/// A dark stem over a noisy ground continues through a hole that is many times as wide, and is not repeated
+/// in it.
 void TestInpaint::stemsAreContinued() {
     if (!canInpaint()) QSKIP("gmic is not installed");
     QFETCH(double, width);

@@ -1,4 +1,4 @@
-// Layers that are combined with one another are shown as one: what is shown, laid over one another, is the
+// Layers that are combined with one another are shown as one: the shown layers, over one another, are the
 // picture of all layers that Krita has written into its files (tests/data/pictures/groups_in_krita.py).
 
 #include <QRect>
@@ -124,8 +124,8 @@ void TestLayerMerging::shownLayersAreThePicture() {
             }
 }
 
-/// As make.py has it: the pixel (20 x + 5, 40 y + 3, 7 x y, 255 − 30 x), and the same above it, masked by
-/// 51 x′ / 255 at x′ = x − 1, y in [0, 3), added within the alpha below.
+/// The values are those of make.py: the pixel (20 x + 5, 40 y + 3, 7 x y, 255 − 30 x), and the same above it,
+/// masked by 51 x′ / 255 at x′ = x − 1, y in [0, 3), added within the alpha below.
 void TestLayerMerging::clippedLayersKeepTheAlpha() {
     const std::string path = given("layers.psd");
     const std::vector<PictureLayer> layers = layersOf(path);
@@ -158,7 +158,7 @@ void TestLayerMerging::placesAreThoseOfThePicture_data() {
         QTest::newRow(layers) << layers;
 }
 
-/// Layers that are clipped reach beyond what clips them, on all sides.
+/// Clipped layers reach beyond their clipping layer on all sides.
 void TestLayerMerging::placesAreThoseOfThePicture() {
     QFETCH(QString, layers);
     std::vector<PictureLayer> file;

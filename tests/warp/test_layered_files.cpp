@@ -22,7 +22,7 @@ std::string given(const QString& name) {
     return (QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/") + name).toStdString();
 }
 
-/// As the script has it.
+/// Returns the pixel that the script has written.
 std::array<int, 4> pixel(int x, int y) {
     return {20 * x + 5, 40 * y + 3, 7 * x * y, 255 - 30 * x};
 }
@@ -86,8 +86,8 @@ void TestLayeredFiles::pictureOfAllLayers_data() {
     QTest::newRow("Photoshop, large, opaque") << "layers.psb" << 3 << true;
 }
 
-/// A Photoshop file has transparent colours over white, rounded: taken off again they are within a step of
-/// 255 / alpha of what they were.
+/// A Photoshop file has transparent colours over white, rounded: with the white removed they are within a
+/// step of 255 / alpha of the originals.
 void TestLayeredFiles::pictureOfAllLayers() {
     QFETCH(QString, name);
     QFETCH(int, layers);
@@ -136,7 +136,7 @@ void TestLayeredFiles::layersAreListed_data() {
         QTest::newRow(name) << name << photoshop;
 }
 
-/// Groups are none.
+/// Groups are not listed.
 void TestLayeredFiles::layersAreListed() {
     QFETCH(QString, name);
     QFETCH(QStringList, layers);
@@ -210,7 +210,7 @@ void TestLayeredFiles::layersAreRead() {
     QCOMPARE(reasonFor(given(name), "tail"), QString("has no layer \"tail\""));
 }
 
-/// The same mask, of a group, holds for all its layers.
+/// The same mask, on a group, applies to all its layers.
 void TestLayeredFiles::masksOfGroupsAreApplied() {
     for (const char* name : {"masked_group.psd", "masked_group16.psd"})
         for (const auto& [layer, left, top] :
@@ -328,9 +328,9 @@ void TestLayeredFiles::groupsAreLayers() {
     QCOMPARE(colour(image, 170, 40)[3], 0);  // hidden
 }
 
-/// The opacity of a group holds for all that is in it at once, also within another one; clip paths and masks
-/// are applied in their elements' coordinates; style sheets may ask for either. What comes before and after
-/// keeps its place in the order.
+/// The opacity of a group applies to all of its contents at once, also within another one; clip paths and
+/// masks are applied in their elements' coordinates, also by style sheets. Elements before and after keep
+/// their place in the order.
 void TestLayeredFiles::drawingsAreComposited() {
     const std::string path = written("composited.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
      width="128" height="32" viewBox="0 0 128 32"><style>.cut { clip-path: url(#disc) }</style>
@@ -366,7 +366,7 @@ void TestLayeredFiles::drawingsAreComposited() {
     QVERIFY(isAt(84, 20, {0, 0, 0, 0}));
 }
 
-/// Clips, masks and opacities of what uses refer to, also by way of other uses; what refers to itself ends.
+/// Clips, masks and opacities apply to the targets of uses, also through other uses; a use of itself ends.
 void TestLayeredFiles::usedLayersAreComposited() {
     const std::string path = written("used.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
      xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32"><defs>
@@ -436,7 +436,7 @@ void TestLayeredFiles::blursAreDrawn() {
     QVERIFY(isNear(201, 30, 1) && isNear(199, 30, 0) && isNear(223, 30, 1) && isNear(225, 30, 0));
 }
 
-/// Clip paths and masks that measure in the box around a group, a use or a text; what is used may have been
+/// Clip paths and masks measure in the box around a group, a use or a text; the used element may have been
 /// drawn before.
 void TestLayeredFiles::drawingsAreClippedByBoxes() {
     const std::string path = written("boxed.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
@@ -468,7 +468,8 @@ void TestLayeredFiles::drawingsAreClippedByBoxes() {
     QCOMPARE(alphaAt(96.5, 40), 0);
 }
 
-/// Clip paths and masks stand among what is drawn, and clip by what they use, as Illustrator writes them.
+/// Clip paths and masks are among the drawn elements, and clip by elements that they use, as Illustrator
+/// writes them.
 void TestLayeredFiles::clipsAreNotDrawn() {
     const std::string path = written("among.svg", R"svg(<svg xmlns="http://www.w3.org/2000/svg"
      xmlns:xlink="http://www.w3.org/1999/xlink" width="128" height="32" viewBox="0 0 128 32">
@@ -512,7 +513,7 @@ void TestLayeredFiles::layersOfOtherKinds() {
     QVERIFY(reasonFor("layers.kra", "ink").contains("CMYKA"));
 }
 
-/// The shortest examples of each kind of its parts, and damaged ones.
+/// The data are the shortest examples of each kind of its parts, and damaged ones.
 void TestLayeredFiles::lzf() {
     QCOMPARE(fromLzf({"\2abc", 4}, 3), std::string("abc"));
     QCOMPARE(fromLzf({"\2abc\x20\2", 6}, 6), std::string("abcabc"));     // three bytes from three back
@@ -524,8 +525,8 @@ void TestLayeredFiles::lzf() {
     QVERIFY_EXCEPTION_THROWN(fromLzf({"\2abc", 4}, 4), InputError);      // fewer
 }
 
-/// Whatever is wrong in the tiles of a layer, they are read or refused. The zip archive around them has
-/// checksums, which a file that was made with intent has, too.
+/// Damaged tiles of a layer are read or refused, whatever the fault. The zip archive around them has
+/// checksums, which a deliberately made file has, too.
 void TestLayeredFiles::damagedTiles() {
     const std::string head = "VERSION 2\nTILEWIDTH 4\nTILEHEIGHT 3\nPIXELSIZE 2\nDATA 2\n";
     const std::string packed("\1\0a\xe0\16\0", 6);

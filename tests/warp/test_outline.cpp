@@ -151,15 +151,15 @@ class TestOutline : public QObject {
         QVERIFY(std::abs(areaOf(outline) - area) < 0.002 * area);
     }
 
-    /// An edge that is one pixel wide is no linear ramp, most of all along diagonals: contours wave by up to
-    /// 0.11 pixels about the true circle, but not on the average.
+    /// An edge that is one pixel wide is not a linear ramp, most of all along diagonals: contours deviate by
+    /// up to 0.11 pixels from the true circle, but not on the average.
     void hardEdgesAreRightOnTheAverage() {
         const auto outline = outlineFromAlpha(picture(100, 90, disc(51.3, 44.8, 33.37)), plain());
         QVERIFY(maxRadiusError(outline, {51.3, 44.8}, 33.37) <= 0.12);
         QVERIFY(std::abs(std::sqrt(areaOf(outline) / pi) - 33.37) < 0.02);
     }
 
-    /// Of an edge that is soft over twenty pixels the threshold says where.
+    /// The threshold determines the place in an edge that is soft over twenty pixels.
     void thresholdMovesTheEdge() {
         const Alpha soft = [](double x, double y) {
             return std::clamp(0.5 + (40 - std::hypot(x - 64, y - 64)) / 20, 0.0, 1.0);
@@ -173,7 +173,7 @@ class TestOutline : public QObject {
         }
     }
 
-    /// Two pixels that meet in a corner are one part if what lies between them is inside in the mean.
+    /// Two pixels that meet in a corner are one part if the mean between them is inside.
     void cornersJoinByTheirMean() {
         for (const double between : {0.1, 0.3}) {
             const Image image = picture(
@@ -207,7 +207,7 @@ class TestOutline : public QObject {
         QVERIFY(std::abs(std::sqrt(areaOf(outline) / pi) - 30 - margin) < 0.05);
     }
 
-    /// With the defaults every pixel of any alpha is inside.
+    /// With the defaults every pixel with any alpha is inside.
     void softEdgesAreInside() {
         const auto outline = outlineFromAlpha(picture(200, 200, disc(100, 100, 60)));
         for (const auto& p : outline.loops[0]) QVERIFY((p - Vec2(100, 100)).norm() > 60.5 + 0.7);
@@ -258,7 +258,7 @@ class TestOutline : public QObject {
         QCOMPARE(areaOf(frameOutline(40, 30)), 1200.0);
     }
 
-    /// A half disc at the left border: the outline runs on the border and never leaves the picture.
+    /// A half disc is at the left border: the outline runs on the border and never leaves the picture.
     void bordersClose() {
         for (double margin : {0.0, 3.0}) {
             auto options = plain();
@@ -315,7 +315,7 @@ class TestOutline : public QObject {
                  qPrintable(QString::number(areaOf(outline))));
     }
 
-    /// Random blobs and noise: whatever comes out must be a good outline (the mesher refuses crossings).
+    /// Random blobs and noise always give a valid outline (the mesher refuses crossings).
     void anyOutlineCanBeMeshed_data() {
         QTest::addColumn<int>("seed");
         for (int seed = 1; seed <= 12; ++seed) QTest::addRow("%d", seed) << seed;
@@ -371,8 +371,8 @@ class TestOutline : public QObject {
         QVERIFY(errorOf([&] { frameOutline(0, 5); }).contains("no pixels"));
     }
 
-    /// A ring with a dot in it, and a second part beside it: filled, the hole and what lies in it are the
-    /// shape's.
+    /// A ring has a dot in it, and a second part is beside it: when filled, the shape includes the hole and
+    /// the dot.
     void holesAreFilledOnRequest() {
         const Alpha drawn = [](double x, double y) {
             const double ring = std::hypot(x - 40, y - 40), dot = std::hypot(x - 100, y - 40);

@@ -140,7 +140,7 @@ void TestPhotoshopFile::pictureOfAllLayers_data() {
     QTest::newRow("grey without alpha") << PixelType::UInt16 << 1 << std::optional<PixelType>();
 }
 
-/// The same over any ground to rounding, as OpenImageIO reads it; and as Wend does.
+/// The layers are the same over any ground up to rounding, both as OpenImageIO reads them and as Wend does.
 void TestPhotoshopFile::pictureOfAllLayers() {
     QFETCH(PixelType, type);
     QFETCH(int, channels);

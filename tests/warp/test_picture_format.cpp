@@ -1,4 +1,4 @@
-// Which reader a file gets: by what is in it, never by its name or by trial.
+// The contents of a file determine its reader, never its name or a trial.
 
 #include <dlfcn.h>
 
@@ -63,7 +63,7 @@ class TestPictureFormat : public QObject {
     QTemporaryDir m_folder;
 };
 
-/// First of all: the library looks for plug-ins once, when it looks for a reader.
+/// This runs first: the library looks for plug-ins once, when it looks for a reader.
 void TestPictureFormat::pluginsAreNotLoaded() {
     const QByteArray folder = QFileInfo(WEND_TEST_TRAP).path().toLocal8Bit();
     const QString sprung = m_folder.filePath("sprung");  // by a process that loads the plug-in
@@ -208,7 +208,7 @@ void TestPictureFormat::tgaPalettes_data() {
     QTest::newRow("packed") << QByteArray("\x9") << QByteArray("\1\0\1\x81\2\1\1\0", 8);
 }
 
-/// Each pixel names one of three colours. One that the palette does not hold is not looked up in what lies
+/// Each pixel names one of three colours. One that is not in the palette is not looked up in the memory
 /// behind it.
 void TestPictureFormat::tgaPalettes() {
     QFETCH(QByteArray, type);

@@ -1,4 +1,4 @@
-// What stands beside the pixels of a photograph, where it does not keep to its place.
+// Metadata of a photograph that violate their bounds.
 
 #include <QBuffer>
 #include <QFile>
@@ -34,7 +34,7 @@ struct Entry {
 constexpr Entry kTurned{0x112, 3, 1, 6};
 constexpr quint32 kDirectory = 8;  // where the first one begins
 
-/// A TIFF of one directory and what follows it.
+/// Returns a TIFF of one directory and the given data behind it.
 QByteArray tiff(bool big, const QList<Entry>& entries, const QByteArray& after = QByteArray(16, '\0')) {
     QByteArray bytes(big ? "MM" : "II");
     bytes += number<quint16>(42, big) + number<quint32>(kDirectory, big);
@@ -112,7 +112,7 @@ class TestPictureMetadata : public QObject {
         return QByteArray::fromStdString(bytesWithSoundMetadata(InputFile(put(name, bytes)), format));
     }
 
-    /// A WebP with what stands behind the pixels, as its container has it.
+    /// Returns a WebP with the metadata behind the pixels, as its container specifies.
     QByteArray webpWith(const QByteArray& exif) {
         const auto chunk = [](const char* name, const QByteArray& data) {
             return name + number(static_cast<quint32>(data.size()), false) + data +
@@ -167,7 +167,7 @@ void TestPictureMetadata::segments_data() {
     QTest::newRow("read by nobody") << 0xe5 << QByteArray("Exif") << true;
 }
 
-/// What does not keep to its place becomes a segment that nobody reads; all other bytes stay.
+/// Metadata that violate their bounds become a segment that nothing reads; all other bytes stay.
 void TestPictureMetadata::segments() {
     QFETCH(int, kind);
     QFETCH(QByteArray, data);
@@ -208,7 +208,7 @@ void TestPictureMetadata::oddEntries_data() {
     row("a maker's note that is none", {{0x927c, 7, 10, 36}, kTurned}, 0);
 }
 
-/// The others count, in whatever order their bytes are and in every format.
+/// The valid entries are kept, in any byte order and in every format.
 void TestPictureMetadata::oddEntries() {
     QFETCH(QList<Entry>, entries);
     QFETCH(int, odd);

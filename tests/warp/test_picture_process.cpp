@@ -1,4 +1,4 @@
-// The process that reads pictures: whatever happens to it is one message that names the file, and the next
+// The process that reads pictures: any failure of it gives one message that names the file, and the next
 // picture is read again.
 
 #include <sys/ioctl.h>
@@ -53,7 +53,7 @@ class TestPictureProcess : public QObject {
     std::string path(const char* name) const {
         return m_folder.filePath(name).toStdString();
     }
-    /// The process that has read the small picture and waits for the next.
+    /// Returns the process that has read the small picture and waits for the next.
     pid_t waiting() const {
         readPicture(path("small.png"), {});
         return childCalled("wend-picture", QCoreApplication::applicationPid());
@@ -94,7 +94,7 @@ void TestPictureProcess::isKeptForTheNextPicture() {
     QCOMPARE(waiting(), process);
 }
 
-/// What it has read may have spoilt its memory.
+/// A damaged file may have corrupted the process's memory.
 void TestPictureProcess::isReplacedAfterADamagedFile() {
     const pid_t process = waiting();
     QVERIFY(!reasonOf({}, "cut.tif").empty());
@@ -122,8 +122,8 @@ void TestPictureProcess::signalsAreTold_data() {
     QTest::newRow("computed for ever") << SIGXCPU << "cannot be read: its reader has not come to an end";
 }
 
-/// The process stands still, so that reading is under way when the signal comes. If the signal came before
-/// the request, another process has read the picture: then the next attempt waits longer.
+/// The process is stopped, so that reading is under way when the signal comes. If the signal came before the
+/// request, another process has read the picture: then the next attempt waits longer.
 void TestPictureProcess::signalsAreTold() {
     QFETCH(int, signal);
     QFETCH(QString, reason);

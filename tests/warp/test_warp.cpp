@@ -90,7 +90,7 @@ void TestWarp::nothingIsCutWhereNothingHasMoved_data() {
     for (int type = 0; type < 4; ++type) QTest::addRow("type %d", type) << type;
 }
 
-/// A shape that leaves gaps open in what is visible, and visible pixels far from it.
+/// A shape leaves gaps open in the visible picture, and some visible pixels are far from it.
 void TestWarp::nothingIsCutWhereNothingHasMoved() {
     QFETCH(int, type);
     const Image source = randomPicture(64, 600, 4, static_cast<PixelType>(type), true);
@@ -158,7 +158,7 @@ void TestWarp::noSeamBetweenCells() {
     }
 }
 
-/// Every one of the samples of every pixel on the outline of small triangles, some of them beyond the
+/// Every sample of every pixel on the outline of small triangles is compared, some of them beyond the
 /// picture.
 void TestWarp::samplesAreWhatSpansCover() {
     constexpr int kWidth = 150, kHeight = 40, kBand = 8;
@@ -256,7 +256,7 @@ void TestWarp::nearerCellsHideOthers() {
     QCOMPARE(valueAt<std::uint8_t>(first, 0, 10, 3), std::uint8_t(255));
 }
 
-/// Where nothing covers anything, orders change nothing, neither at rest nor bent, but for rounding where two
+/// Where nothing overlaps, orders change nothing, neither at rest nor bent, except for rounding where two
 /// cells share a pixel.
 void TestWarp::partsInFrontLeaveNoSlits() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
@@ -272,8 +272,8 @@ void TestWarp::partsInFrontLeaveNoSlits() {
         QVERIFY(std::abs(static_cast<int>(one.data[i]) - static_cast<int>(other.data[i])) <= 1);
 }
 
-/// Two squares moved onto each other: the map tells of the one in front, also in the pixels of its outline
-/// and where the other's outline lies below it.
+/// Two squares are moved onto each other: the map gives the place of the one in front, also in the pixels of
+/// its outline and where the other's outline is below it.
 void TestWarp::stMapTellsTheNearest() {
     const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
     const SimplicialMesh<2> mesh = joined(left, rectangle({20, 0}, {40, 20}, 3));
@@ -332,7 +332,7 @@ void TestWarp::partsAreLaidOverOneAnother() {
         for (int x = 0; x < 40; ++x)
             for (float value : pixel(x < 20 ? upper : lower)) row.push_back(value);
         for (int y = 0; y < 20; ++y) storeRow(source, y, row.data());
-        // What the number type made of the two colours, associated.
+        // The two colours as the number type stores them, associated.
         loadRow(source, 0, row.data());
         const auto held = [&](int x) {
             Eigen::ArrayXd colour(channels);
@@ -370,8 +370,8 @@ void TestWarp::partsAreLaidOverOneAnother() {
     }
 }
 
-/// A translucent strip that is rolled up: between its borders it has one alpha where it lies alone, and that
-/// of two layers where it covers itself, whatever borders of triangles run there.
+/// A translucent strip is rolled up: between its borders it has one alpha where it is alone, and that of two
+/// layers where it covers itself, whatever borders of triangles are there.
 void TestWarp::sheetOverItselfHasNoHairlines() {
     const Image source = plainPicture(64, 48, {200, 100, 50, 128});
     const auto mesh = rectangle({0, 0}, {64, 48}, 48);
@@ -433,8 +433,8 @@ void TestWarp::greyPicturesTakeColours_data() {
         for (int channels : {1, 2}) QTest::addRow("type %d channels %d", type, channels) << type << channels;
 }
 
-/// Blue around grey: the picture gets colours, and its own pixels stay what they were. Grey around grey does
-/// not.
+/// A picture of grey with blue around it gets colours, and its own pixels stay as they were; one with grey
+/// around it does not.
 void TestWarp::greyPicturesTakeColours() {
     QFETCH(int, type);
     QFETCH(int, channels);
@@ -474,7 +474,7 @@ void TestWarp::pictureWithoutAlphaGetsOneWhereNeeded() {
     QCOMPARE(valueAt<std::uint8_t>(warped, 30, 20, 0), valueAt<std::uint8_t>(source, 20, 20, 0));
 }
 
-/// The order of the cells and the outline are those of the depths, whoever has found them.
+/// The order of the cells and the outline are those of the depths, whether the plan was made before or not.
 void TestWarp::planMadeBeforeChangesNothing() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const SimplicialMesh<2> left = rectangle({0, 0}, {20, 20}, 2);
@@ -560,7 +560,7 @@ void TestWarp::stMapForwardAndInverse() {
     QVERIFY(seen > 500);
 }
 
-/// Whichever thread meets it.
+/// Errors reach the caller from any thread.
 void TestWarp::errorsReachTheCaller() {
     const Image source = randomPicture(64, 512, 4, PixelType::UInt8, true);
     const auto mesh = rectangle({0, 0}, {64, 512}, 4);
@@ -585,7 +585,7 @@ void TestWarp::badShapeIsAnError() {
     QVERIFY(warpImage(randomPicture(64, 48, 3, PixelType::UInt8, false), mesh, pose, kView).data.size() > 0);
 }
 
-/// One step of an integer, and as many last bits of the others as there are sums.
+/// Allows one step of an integer, and as many last bits of the other types as there are sums.
 template <typename T>
 constexpr float kRounding = std::is_integral_v<T> ? 1
                             : sizeof(T) == 2      ? 2e-3F
@@ -638,7 +638,7 @@ void TestWarp::exportIsTheWarp_data() {
     for (const char* extension : {"png", "tif", "exr", "jpg", "webp"}) QTest::newRow(extension) << extension;
 }
 
-/// Higher than two strips, with a rest.
+/// The picture is higher than two strips, with a remainder.
 void TestWarp::exportIsTheWarp() {
     QFETCH(QString, extension);
     QTemporaryDir folder;

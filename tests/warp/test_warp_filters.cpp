@@ -17,7 +17,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What of the pixels goes into one: between them, of fewer pixels than there were, and beside transparent
+/// The share of the source's pixels in each result: between pixels, when reduced, and beside transparent
 /// ones.
 class TestWarpFilters : public QObject {
     Q_OBJECT
@@ -71,7 +71,7 @@ Image lines(int size, double period) {
 
 using Rgba = std::array<float, 4>;
 
-/// Of half or float numbers; `at(x, y)` gives the channels.
+/// Returns a picture of half or float numbers; `at(x, y)` gives the channels.
 template <typename At>
 Image numbers(PixelType type, int channels, bool alpha, const At& at) {
     Image image{64, 48, channels, type, alpha, false, {}, nullptr};
@@ -92,7 +92,7 @@ float number(const Image& image, int x, int y, int channel) {
                                          : valueAt<float>(image, x, y, channel);
 }
 
-/// Where in the source a pixel of shifted() looks, if its filter stays within the picture.
+/// Returns the source place of a pixel of shifted(), if its filter stays within the picture.
 std::optional<Vec2> sourceOf(int x, int y, double scale, const Vec2& by = {0.5, 0.3}) {
     const Vec2 at = scale * Vec2(x + 0.5, y + 0.5) - by;
     const double border = 2 + 2 * scale;
@@ -194,7 +194,7 @@ void TestWarpFilters::movingPicturesAreBilinear() {
     }
 }
 
-/// Also of a strip that ends within a band.
+/// Rows are finished once, even in a strip that ends within a band.
 void TestWarpFilters::rowsAreFinishedOnce() {
     const Image source = randomPicture(64, 48, 4, PixelType::UInt8, true);
     const auto mesh = wholePicture();
@@ -297,8 +297,8 @@ void TestWarpFilters::edgesOfAlphaDoNotOvershoot_data() {
     floatRows(true);
 }
 
-/// Red is 0.5 everywhere, green between 0.2 and 0.9, blue 0: so they stay along hard and soft edges, and
-/// alpha between 0 and 1.
+/// Red is 0.5 everywhere, green between 0.2 and 0.9, blue 0: they stay so along hard and soft edges, and
+/// alpha stays between 0 and 1.
 void TestWarpFilters::edgesOfAlphaDoNotOvershoot() {
     QFETCH(int, type);
     QFETCH(int, filter);
@@ -347,7 +347,7 @@ void TestWarpFilters::integerEdgesKeepTheirColour() {
         }
 }
 
-/// A glow without coverage, beside what covers.
+/// A glow without coverage is beside covered pixels.
 void TestWarpFilters::lightWithoutAlphaSurvives() {
     const Image source = numbers(PixelType::Half, 4, true, [](int x, int y) {
         if (x > 40) return Rgba{0.25F, 0.25F, 0.25F, 1};
@@ -371,7 +371,7 @@ void TestWarpFilters::highlightsDoNotRingBelowZero_data() {
     floatRows(false);
 }
 
-/// With and without alpha; colours that are negative in the picture stay so.
+/// The picture has alpha or not; colours that are negative in the picture stay so.
 void TestWarpFilters::highlightsDoNotRingBelowZero() {
     QFETCH(int, type);
     QFETCH(int, filter);
@@ -408,7 +408,7 @@ void TestWarpFilters::notANumberStaysInItsPixel_data() {
     floatRows(true);
 }
 
-/// Only positions within the pixel see it; in a picture of one colour the others see nothing of it at all.
+/// Only positions within the pixel are affected; in a picture of one colour none of the others is.
 void TestWarpFilters::notANumberStaysInItsPixel() {
     QFETCH(int, type);
     QFETCH(int, filter);
@@ -493,7 +493,8 @@ void TestWarpFilters::minifiedFinePatternTurnsGrey() {
     }
 }
 
-/// To a quarter: a pixel is the mean of four, which leaves sin(π/6) / (π/6) = 0.955 of a wave of 24.
+/// The pattern is reduced to a quarter: a pixel is the mean of four, which leaves sin(π/6) / (π/6) = 0.955 of
+/// a wave of 24.
 void TestWarpFilters::minifiedCoarsePatternStays() {
     const Image source = lines(256, 24);
     const auto mesh = rectangle({0, 0}, {256, 256}, 4);
@@ -511,7 +512,8 @@ void TestWarpFilters::minifiedCoarsePatternStays() {
     }
 }
 
-/// Of lines that are squeezed together the elliptical filter leaves nothing, of lines along the way all.
+/// The elliptical filter turns lines grey that are squeezed together, and keeps lines in the direction of the
+/// squeeze.
 void TestWarpFilters::squeezedPatternTurnsGrey() {
     const Image source = lines(256, 3);
     const auto mesh = rectangle({0, 0}, {256, 256}, 4);

@@ -1,4 +1,5 @@
-// SVG drawings as paths, and these paths through a map: against closed forms, and drawn by Qt's library.
+// SVG drawings as paths, and these paths through a map, compared with closed forms and with the drawing of
+// Qt's library.
 
 #include <QImage>
 #include <QPainter>
@@ -23,7 +24,7 @@ namespace {
 
 using Kind = PathPiece::Kind;
 
-/// A square grid of the plane from 0 to `size`, and where a map takes its vertices.
+/// A square grid of the plane from 0 to `size`, and the mapped places of its vertices.
 struct Grid {
     SimplicialMesh<2> rest;
     Points2 pose;
@@ -50,7 +51,7 @@ Vec2 same(const Vec2& p) {
     return p;
 }
 
-/// Area preserving, with a bend of a fifth of its waves.
+/// An area-preserving map with a bend of a fifth of its waves.
 Vec2 waves(const Vec2& p) {
     return {p.x() + 12 * std::sin(p.y() / 30), p.y()};
 }
@@ -205,7 +206,7 @@ void TestWarpedDrawing::pathsAreRead() {
     QCOMPARE(QString::fromStdString(pathText(pathOf(d.toStdString()), 3)), expected);
 }
 
-/// All points fulfil the equation of the ellipse, and the arcs go the way around that their flags say.
+/// All points satisfy the equation of the ellipse, and the arcs have the direction that their flags give.
 void TestWarpedDrawing::arcsAreEllipses() {
     for (const int flags : {0, 1, 2, 3}) {
         const SvgPath path = pathOf("M30,10A20,10 30 " + std::to_string(flags / 2) +
@@ -348,7 +349,8 @@ void TestWarpedDrawing::cornersAndEndsStay() {
     }
 }
 
-/// Everything that Qt's library draws looks the same as paths, but that its own circles have coarser cubics.
+/// Everything that Qt's library draws looks the same as paths, except that its own circles have coarser
+/// cubics.
 void TestWarpedDrawing::drawingsStayTheSame() {
     const std::string body = R"svg(
       <defs>
@@ -376,7 +378,7 @@ void TestWarpedDrawing::drawingsStayTheSame() {
     QVERIFY2(meanDifference(before, paths) < 0.2, qPrintable(QString::number(meanDifference(before, paths))));
     const QImage same = drawn(carried(drawing, &::same), size);
     QVERIFY2(meanDifference(before, same) < 0.2, qPrintable(QString::number(meanDifference(before, same))));
-    // The same map on the outside: the drawing turned by a transform.
+    // The map is applied outside the drawing, which is rotated by a transform.
     const auto turn = [](const Vec2& p) { return Vec2(0.8 * p.x() + 0.2 * p.y(), 0.7 * p.y() + 10); };
     std::string fixed = body;  // pens are not turned with it
     for (std::size_t at = 0; (at = fixed.find("stroke=\"", at)) != std::string::npos; at += 8)
@@ -410,7 +412,7 @@ void TestWarpedDrawing::styleSheetsAndUses() {
     QCOMPARE(attribute(svg, "/svg/g/g[3]/path", "id"), "");  // ids are unique
 }
 
-/// Pens keep their width; the transform that makes a pen an ellipse stays; gradients go along.
+/// Pens keep their width; the transform that makes a pen an ellipse stays; gradients follow.
 void TestWarpedDrawing::pensAndPaintsGoAlong() {
     const VectorDrawing drawing = vectors(R"svg(
       <linearGradient id="g" gradientUnits="userSpaceOnUse" x1="10" y1="0" x2="30" y2="0"><stop offset="0"/><stop offset="1" stop-color="red"/></linearGradient>
@@ -457,18 +459,18 @@ void TestWarpedDrawing::clipsAndLayers() {
     QVERIFY(!attribute(svg, (layer + "/g[@clip-path]").c_str(), "clip-path").empty());
     QCOMPARE(attribute(svg, "//mask/path", "d"), "M2,3L52,3L52,53L2,53Z");
     QVERIFY(!attribute(svg, "//g[@id='masked']", "mask").empty());
-    // A blur is in the frame of its shape, what it holds is not.
+    // A blur is in the frame of its shape, its contents are not.
     QCOMPARE(attribute(svg, "//g[@filter]", "transform"), "matrix(2 0 0 2 0 0)");
     QCOMPARE(attribute(svg, "//g[@filter]/g", "transform"), "matrix(0.5 0 0 0.5 0 0)");
     QCOMPARE(attribute(svg, "//g[@filter]/g/path", "d"), "M2,3L22,3L22,23L2,23Z");
     QCOMPARE(attribute(svg, "//feGaussianBlur", "stdDeviation"), "2");
-    // What reaches out of the shape is cut off by its border.
+    // Parts outside the shape are clipped by its border.
     const std::string large = carried(vectors("<rect x='-5' width='110' height='50'/>"), shift);
     QVERIFY(!attribute(large, "/svg/g", "clip-path").empty());
     QVERIFY(attribute(svg, "/svg/g", "clip-path").empty());
 }
 
-/// Boxes are around what is drawn of an element, in its own coordinates, whatever clips it.
+/// Boxes enclose the drawn part of an element, in its own coordinates, whatever clips it.
 void TestWarpedDrawing::clipsInBoxUnits() {
     const VectorDrawing drawing = vectors(R"svg(
       <clipPath id="c" clipPathUnits="objectBoundingBox"><rect x="0.25" width="0.5" height="1"/></clipPath>

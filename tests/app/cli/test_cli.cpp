@@ -113,15 +113,15 @@ void TestCli::helps() {
     QCOMPARE(run({"bench", "paper", "--keep", "nowhere"}).code, 3);
 }
 
-/// docs/reference.md is what `wend reference` prints: write it anew with that when the table of options
+/// docs/reference.md is the output of `wend reference`: regenerate it with that when the table of options
 /// changes.
 void TestCli::referencePageIsCurrent() {
     QCOMPARE(run({"reference"}).out,
              QString::fromStdString(readTextFile(WEND_SOURCE_DIR "/docs/reference.md")));
 }
 
-/// With all vertices in one handle the shape follows it exactly, up to rounding, and the order and number of
-/// vertices are the input's.
+/// The shape follows a handle of all vertices exactly, up to rounding, and the order and number of vertices
+/// are the input's.
 void TestCli::translatedStrip() {
     succeed({"run", "strip.wend", "--mesh", "moved.obj"});
     const auto moved = sharedMeshFile(file("moved.obj"));
@@ -563,7 +563,7 @@ void TestCli::qualityAndGradients() {
     QVERIFY(same != fieldsOf(*other).end() && same->values == F.values);
 }
 
-/// Without time.end the run ends with the last motion.
+/// A run without time.end ends with the last motion.
 void TestCli::endOfTheLastMotion() {
     const char* handles =
         "'domain': {'mesh': 'strip.obj'}, 'handles': [{'name': 'all', 'at': {'region': {'box': {'min': [-1, "
@@ -623,7 +623,7 @@ void TestCli::strict() {
              qPrintable(odd.error));
     QVERIFY(!QFile::exists(path() + "/odd.obj"));
     QCOMPARE(run({"run", "bend.wend", "--strict", "--mesh", "good.obj"}).code, 0);
-    // A format that cannot hold what the mesh has.
+    // A format that cannot hold the mesh's data.
     writeMesh<3>(file("plain.vtu"), barMesh(6));
     QCOMPARE(run({"run", "bar.wend", "--strict", "--mesh", "good.vtu"}).code, 0);
     // A twist by seven turns squeezes cells to next to nothing.

@@ -443,8 +443,8 @@ CliResult TestCliErrors::runLimited(const QStringList& arguments, qint64 most) c
             QString::fromUtf8(process.readAllStandardError()), process.exitStatus() != QProcess::NormalExit};
 }
 
-/// After a program is killed while it writes frames, the next one that writes there removes its leftovers.
-/// SIGTERM leaves nothing in the first place.
+/// The files that a killed program has left are removed by the next one that writes there. SIGTERM leaves
+/// nothing in the first place.
 void TestCliErrors::killed() {
     putProject(path(), "long.wend",
                "'domain': {'image': 'disc.png', 'vertices': 20000}, 'integration': {'tolerance': 1e-10},"

@@ -34,7 +34,7 @@ class TestFilesOnDisk : public QObject {
   private slots:
     void init();
     void cleanup();
-    void changesOfOthersAreTold();
+    void changesByOthersAreReported();
     void reloadingTakesThem();
     void keepingMineSavesOverThem();
     void savingAsksFirst();
@@ -47,7 +47,7 @@ class TestFilesOnDisk : public QObject {
     void movedPicturesAreFound();
     void ownFilesAreAskedFor();
     void namesGetTheirExtensionBeforeTheQuestion();
-    void whatAFlatMeshHasIsTold();
+    void factsOfFlatMeshesAreShown();
 
   private:
     void openProject();
@@ -107,7 +107,7 @@ void TestFilesOnDisk::press(const QString& name) {
     QFAIL(qPrintable("no button " + name));
 }
 
-void TestFilesOnDisk::changesOfOthersAreTold() {
+void TestFilesOnDisk::changesByOthersAreReported() {
     openProject();
     QVERIFY(m_window->banner().text().isEmpty());
     const std::string before = readTextFile(file("bar.wend").toStdString());
@@ -349,7 +349,7 @@ void TestFilesOnDisk::namesGetTheirExtensionBeforeTheQuestion() {
 
 /// The facts about a file are shown for flat shapes as for solids; those of one file disappear when the next
 /// is opened.
-void TestFilesOnDisk::whatAFlatMeshHasIsTold() {
+void TestFilesOnDisk::factsOfFlatMeshesAreShown() {
     std::ofstream(file("hanging.off").toStdString())
         << "OFF\n7 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 1 0\n2 2 0\n1 2 0\n"
            "3 0 1 2\n3 0 2 3\n3 2 4 5\n3 2 5 6\n";

@@ -167,8 +167,8 @@ class TestFilms : public QObject {
     void filesMayNotGrow();
     void filmIsCancelled();
     void versionIsTold();
-    void whatCannotBeIsRefused_data();
-    void whatCannotBeIsRefused();
+    void impossibleFilmsAreRefused_data();
+    void impossibleFilmsAreRefused();
     void inputsAreNotReplaced();
 
   private:
@@ -372,9 +372,9 @@ void TestFilms::cycleIsWhatLoops() {
     QCOMPARE(probe(file("all.png")).frames, 21);
 }
 
-/// In the sample's walk of 24 frames the first follows the last as any other follows its predecessor. At the
-/// end every vertex is where it began; hands swing against the feet of their side, and the two sides are half
-/// a cycle apart.
+/// The first of the 24 frames of the sample's walk follows the last as any other follows its predecessor. At
+/// the end every vertex is where it began; hands swing against the feet of their side, and the two sides are
+/// half a cycle apart.
 void TestFilms::walkerWalksOn() {
     const QString walker = QStringLiteral(WEND_SOURCE_DIR "/resources/samples/walker.wend");
     succeed({"run", walker, "--frames", "walk_##.obj", "--count", "25", "--quiet"});
@@ -613,7 +613,7 @@ void TestFilms::versionIsTold() {
     QCOMPARE(lines[1], "ffmpeg " + own);
 }
 
-void TestFilms::whatCannotBeIsRefused_data() {
+void TestFilms::impossibleFilmsAreRefused_data() {
     QTest::addColumn<QString>("line");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("why");
@@ -641,7 +641,7 @@ void TestFilms::whatCannotBeIsRefused_data() {
     QTest::newRow("no folder") << "disc.wend --film none/no.mp4" << 3 << "none/no.mp4";
 }
 
-void TestFilms::whatCannotBeIsRefused() {
+void TestFilms::impossibleFilmsAreRefused() {
     QFETCH(QString, line);
     QFETCH(int, code);
     QFETCH(QString, why);

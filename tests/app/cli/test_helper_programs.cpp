@@ -15,8 +15,8 @@ class TestHelperPrograms : public QObject {
 
   private slots:
     void initTestCase();
-    void isToldOf_data();
-    void isToldOf();
+    void failuresAreReported_data();
+    void failuresAreReported();
     void diesWithTheProgram();
     void killedMesher_data();
     void killedMesher();
@@ -44,7 +44,7 @@ QProcessEnvironment TestHelperPrograms::environment(const QString& way) const {
     return environment;
 }
 
-void TestHelperPrograms::isToldOf_data() {
+void TestHelperPrograms::failuresAreReported_data() {
     QTest::addColumn<QString>("way");
     QTest::addColumn<QString>("limit");
     QTest::newRow("sleeps") << "sleep"
@@ -53,7 +53,7 @@ void TestHelperPrograms::isToldOf_data() {
                               << "within 10 seconds of computing";
 }
 
-void TestHelperPrograms::isToldOf() {
+void TestHelperPrograms::failuresAreReported() {
     QFETCH(QString, way);
     QFETCH(QString, limit);
     const CliResult devices = runCli(path(), {"devices"}, environment(way));

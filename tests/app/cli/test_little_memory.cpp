@@ -15,7 +15,7 @@ class TestLittleMemory : public QObject {
     void runEndsWell_data();
     void runEndsWell();
     void threadsOfBlasTakeNothing();
-    void memoryIsToldBeforeItIsTaken();
+    void memoryIsCheckedBeforeItIsAllocated();
 
   private:
     CliResult runWithin(int megabytes, const QString& folder, const QString& project,
@@ -97,7 +97,7 @@ void TestLittleMemory::threadsOfBlasTakeNothing() {
 }
 
 /// The factor takes about 530 MB; limits in smaller steps fall between the memory used before it and its own.
-void TestLittleMemory::memoryIsToldBeforeItIsTaken() {
+void TestLittleMemory::memoryIsCheckedBeforeItIsAllocated() {
     const QTemporaryDir folder;
     const int n = 24;
     writeMesh<3>(folder.filePath("block.mesh").toStdString(), blockMesh(n, n, n));

@@ -172,7 +172,7 @@ void TestMotionOf::scaledPictures() {
     QVERIFY2(off < kRounding * 128, qPrintable(QString::number(off)));
 }
 
-/// On a finer mesh every vertex has the displacement of the nearest one.
+/// Every vertex of a finer mesh has the displacement of the nearest one.
 void TestMotionOf::fieldOnAnotherMesh() {
     put(path(), "end.csv", "id,dx,dy\n10,0.5,0\n21,0.5,0.25\n32,0.5,0.5\n");
     const std::string pins =

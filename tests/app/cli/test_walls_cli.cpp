@@ -127,7 +127,8 @@ void TestWallsCli::normalsOfARing() {
     QVERIFY(within > 2 * kAround);
 }
 
-/// A strip that keeps its area gets thinner when it is stretched, except for what is stiff across it.
+/// A strip that keeps its area gets thinner when it is stretched, except for the part that is stiff across
+/// it.
 void TestWallsCli::layersKeepTheirHeight() {
     const SimplicialMesh<2> strip = stripMesh(20, 6);
     put(path(), "strip.mesh", stripText(strip, 20));

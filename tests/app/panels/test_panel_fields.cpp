@@ -79,8 +79,8 @@ class TestPanelFields : public QObject {
     void reachIsNearToFar();
     void tipsShowPictures_data();
     void tipsShowPictures();
-    void numbersAreTakenBeforeTheWindowGoes_data();
-    void numbersAreTakenBeforeTheWindowGoes();
+    void numbersAreTakenBeforeTheWindowCloses_data();
+    void numbersAreTakenBeforeTheWindowCloses();
     void namesAreTakenBeforeSaving_data();
     void namesAreTakenBeforeSaving();
 
@@ -791,13 +791,13 @@ void TestPanelFields::tipsShowPictures() {
     QVERIFY(dark.first > 200 && dark.second == 0);
 }
 
-void TestPanelFields::numbersAreTakenBeforeTheWindowGoes_data() {
+void TestPanelFields::numbersAreTakenBeforeTheWindowCloses_data() {
     pictureAndSolid();
 }
 
 /// Closing the window while a number is being typed asks whether to save; the window also closes with one
 /// half typed.
-void TestPanelFields::numbersAreTakenBeforeTheWindowGoes() {
+void TestPanelFields::numbersAreTakenBeforeTheWindowCloses() {
     QFETCH(bool, solid);
     QVERIFY(open(solid) && bend(solid));
     QUndoStack& undo = *m_f->session().document().undoStack();

@@ -61,10 +61,10 @@ class TestPartList : public QObject {
     void noteNamesTheFilling();
     void outlinesOfLockedPartsStay();
     void edgesAreSoftened();
-    void whatStaysBehindMayRide();
-    void whatLiesOnAStrayPartStaysWithIt_data();
-    void whatLiesOnAStrayPartStaysWithIt();
-    void islandsMayRide();
+    void partsWithoutPinsCanBeAttached();
+    void partsOnAStrayPartFollowIt_data();
+    void partsOnAStrayPartFollowIt();
+    void islandsCanBeAttached();
 
   private:
     void dragged();
@@ -243,7 +243,7 @@ void TestPartList::canvasIsTheExport() {
     QVERIFY(colours.contains(both));
 }
 
-/// Without a mode in the layer's file the part is Normal; the project may override either.
+/// A part is Normal unless its layer's file gives another mode; the project may override either.
 void TestPartList::partIsBlended() {
     auto* blend = panel().findChild<QComboBox*>("partBlend");
     list().setCurrentRow(1);
@@ -296,7 +296,7 @@ void TestPartList::picturesOpenTogether() {
     QTRY_VERIFY(banner->text().contains("only pictures are opened together"));
 }
 
-/// The settings change the part that is chosen in the list, until all have the same again.
+/// The outline settings are those of the part chosen in the list, until it shares those of all parts again.
 void TestPartList::partsHaveTheirOutlines() {
     QVERIFY(settle(m_f->session()));
     MeshPanel& mesh = m_f->window().properties().mesh();
@@ -339,7 +339,7 @@ void TestPartList::partsHaveTheirOutlines() {
     QCOMPARE(whose->currentIndex(), 0);
 }
 
-/// With Ctrl the lasso takes the right half away from the chosen part, and from no other.
+/// The lasso with Ctrl takes the right half away from the chosen part, and from no other.
 void TestPartList::outlinesOfPartsAreDrawn() {
     ShapeSession& session = m_f->session();
     QVERIFY(settle(session));
@@ -368,7 +368,7 @@ void TestPartList::outlinesOfPartsAreDrawn() {
     QVERIFY(bar > 155);
 }
 
-/// The order can be set at an earlier time and again at a later one.
+/// Pictures before and after the change show which part is in front.
 void TestPartList::orderChangesFromHere() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
@@ -641,7 +641,7 @@ void TestPartList::renamedPartIsCut() {
     QVERIFY(settle(session));
 }
 
-/// After a part was made, the note says that the ground is being filled; after a rename it does not.
+/// The note about a new part says that the ground is being filled; one after a rename does not.
 void TestPartList::noteNamesTheFilling() {
     QVERIFY(canInpaint());
     const QString path = m_folder.filePath("meadow.png");
@@ -726,7 +726,7 @@ void TestPartList::edgesAreSoftened() {
 }
 
 /// The bar has no pin and is the smaller part; a click attaches it to the other, which it then follows.
-void TestPartList::whatStaysBehindMayRide() {
+void TestPartList::partsWithoutPinsCanBeAttached() {
     ShapeSession& session = m_f->session();
     session.addPin({20, 70, 0});
     QVERIFY(settle(session));
@@ -747,7 +747,7 @@ void TestPartList::whatStaysBehindMayRide() {
     QVERIFY(!banner->text().contains("ride on"));
 }
 
-void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
+void TestPartList::partsOnAStrayPartFollowIt_data() {
     QTest::addColumn<int>("headSize");
     QTest::addColumn<QStringList>("expected");
     QTest::newRow("larger than the arm") << 90 << QStringList{"ball on arm"};
@@ -756,7 +756,7 @@ void TestPartList::whatLiesOnAStrayPartStaysWithIt_data() {
 
 /// An eye on a head without a pin is not offered to the arm beside it; it follows the head if that follows
 /// the arm.
-void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
+void TestPartList::partsOnAStrayPartFollowIt() {
     QFETCH(int, headSize);
     QFETCH(QStringList, expected);
     const auto layer = [](const char* name, int width, int height, int x, int y) {
@@ -780,7 +780,7 @@ void TestPartList::whatLiesOnAStrayPartStaysWithIt() {
 
 /// Two blobs of one picture: the one without a pin becomes a part that follows the other one's map, which is
 /// a translation.
-void TestPartList::islandsMayRide() {
+void TestPartList::islandsCanBeAttached() {
     Image picture = plainPicture(120, 60, {0, 0, 0, 0});
     const auto fill = [&](int x0, int y0, int x1, int y1) {
         for (int y = y0; y < y1; ++y)

@@ -36,7 +36,7 @@ class TestRegionList : public QObject {
     void strokesAreListed();
     void chosenOnesAreOutlined_data() { kinds(); }
     void chosenOnesAreOutlined();
-    void whatAFileHasIsListed();
+    void regionsOfAFileAreListed();
     void circlesHaveARadius();
 
   private:
@@ -89,8 +89,8 @@ bool TestRegionList::brush(double fromU, double toU) {
     return settle(m_f->session());
 }
 
-/// In a file, consecutive regions of one name and value are a layer; those without a name are layers of their
-/// own. A name that is taken gets a number.
+/// Consecutive regions of a file with one name and value are a layer; those without a name are layers of
+/// their own. A name that is taken gets a number.
 void TestRegionList::layersOfAFile() {
     QJsonArray list;
     const auto add = [&](const char* name, double order) {
@@ -259,7 +259,7 @@ void TestRegionList::chosenOnesAreOutlined() {
 }
 
 /// Regions without a name, of any shape, are listed too.
-void TestRegionList::whatAFileHasIsListed() {
+void TestRegionList::regionsOfAFileAreListed() {
     QVERIFY(open(RegionsOf::Depth));
     Project next = m_f->project();
     next.depth = {layerWith("", 1, Box<3>{{40, 60, 0}, {80, 100, 0}}),

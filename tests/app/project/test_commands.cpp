@@ -27,13 +27,13 @@ class TestCommands : public QObject {
     void savedUnderAnotherNameItIsThat();
     void firstPinsAreThereFromTheStart();
     void laterPinsBeginAtTheEnd();
-    void removedPinsThatActedAreLetGo();
+    void removedPinsThatActedAreReleased();
     void filmsKeepTheirLength();
     void earlierStrokesReplaceTheirOwn();
     void strokesThatEndAllReplaceAll();
     void posesAreNoFilm();
-    void cutMotionsGoTheSameWay_data();
-    void cutMotionsGoTheSameWay();
+    void cutMotionsKeepTheirPath_data();
+    void cutMotionsKeepTheirPath();
     void cutSplinesRunAlongTheWholeOnes();
     void anotherLengthIsTheSameMotion();
     void settlingKeepsItsPlace();
@@ -163,7 +163,7 @@ void TestCommands::laterPinsBeginAtTheEnd() {
     QCOMPARE(handlesOf(without(later, {2}, 1)).size(), std::size_t(2));
 }
 
-void TestCommands::removedPinsThatActedAreLetGo() {
+void TestCommands::removedPinsThatActedAreReleased() {
     const Project moved = withStroke(withPins(2), {1}, {{10, 5, 0}}, {{0, 0, 0}, {4, 0, 0}});
     const Project removed = without(moved, {0}, 1);
     QCOMPARE(handlesOf(removed).size(), std::size_t(2));
@@ -226,7 +226,7 @@ void TestCommands::earlierStrokesReplaceTheirOwn() {
     QCOMPARE(handlesOf(withGesture(project, gesture, {{0, 5, 0}}))[0].motions.size(), std::size_t(1));
 }
 
-/// Where a handle cannot go further, the rest of its motions is removed, too, whichever handle is dragged.
+/// The rest of a handle's motions is removed where it cannot go further, whichever handle is dragged.
 void TestCommands::strokesThatEndAllReplaceAll() {
     Project project = withStroke(withPins(2), {0}, {{0, 5, 0}}, {{0, 0, 0}, {10, 0, 0}});
     project = withStroke(project, {1}, {{10, 5, 0}}, {{0, 0, 0}, {0, 10, 0}});
@@ -279,13 +279,13 @@ void TestCommands::posesAreNoFilm() {
     QVERIFY(hasOwnTiming(withGesture(withPins(1), byHand, {{0, 5, 0}})));
 }
 
-void TestCommands::cutMotionsGoTheSameWay_data() {
+void TestCommands::cutMotionsKeepTheirPath_data() {
     QTest::addColumn<int>("kind");
     for (int kind = 0; kind < 6; ++kind) QTest::addRow("kind %d", kind) << kind;
 }
 
 /// Points carried by a cut motion are, at each of its times, where the whole motion has them on its path.
-void TestCommands::cutMotionsGoTheSameWay() {
+void TestCommands::cutMotionsKeepTheirPath() {
     QFETCH(int, kind);
     const std::vector<Vec3> points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {30, 10, 0}};
     PinMotion motion;

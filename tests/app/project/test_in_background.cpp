@@ -15,7 +15,7 @@ class TestInBackground : public QObject {
     Q_OBJECT
   private slots:
     void resultsComeBack();
-    void whatIsGoneIsNotCalled();
+    void deletedReceiversAreNotCalled();
     void workMayThrow();
     void callsComeInTheirOrder();
     void callsEndWithTheObject();
@@ -41,7 +41,7 @@ void TestInBackground::resultsComeBack() {
 }
 
 /// A dialog may be closed while its preview is drawn, or between the end of the work and its event.
-void TestInBackground::whatIsGoneIsNotCalled() {
+void TestInBackground::deletedReceiversAreNotCalled() {
     for (const bool finishesFirst : {false, true}) {
         QSemaphore mayGoOn;
         auto context = std::make_unique<QObject>();

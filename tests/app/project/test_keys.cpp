@@ -35,8 +35,8 @@ class TestKeys : public QObject {
 
 namespace {
 
-/// One that moves from 0 to 1 and to 2 s, holds, and moves from 3 to 4 s, and one that moves from 1 to 2 s,
-/// in a film of 5 s.
+/// Returns a film of 5 s with a handle that moves from 0 to 1 and to 2 s, holds, and moves from 3 to 4 s, and
+/// one that moves from 1 to 2 s.
 template <int Dim>
 Project film() {
     Design design;
@@ -75,7 +75,7 @@ Vec3 placeAt(const Project& project, int handle, double time) {
     return place;
 }
 
-/// The place by the closed form of a film of straight motions, independent of the timeline.
+/// Computes the place by the closed form of a film of straight motions, independently of the timeline.
 Vec3 straightPlace(const std::vector<PinMotion>& motions, double time) {
     Vec3 place = Vec3::Zero();
     for (const PinMotion& motion : motions) {
@@ -91,7 +91,7 @@ Project with(Project project, Design design) {
     return project;
 }
 
-/// Of motions that are straight, curves or recorded.
+/// Returns a film of straight, curved or recorded motions.
 template <int Dim>
 bool sameBits(const PinMotion& a, const PinMotion& b) {
     if (a.start != b.start || a.end != b.end || a.ease != b.ease || a.kind.index() != b.kind.index())
@@ -223,7 +223,7 @@ void TestKeys::copiesAreSetElsewhere() {
     QVERIFY((placeAt<2>(after, 2, 3) - Vec3(1, 2, 0)).norm() < 1e-14);
 }
 
-/// A pose at the end of an eased motion: one vector less or more, the same easing.
+/// A pose at the end of an eased motion adds or removes one vector and keeps the easing.
 void TestKeys::straightMotionsKeepTheirEasing() {
     Project project = film<2>();
     project.design = withKeyEase(project.design, {{0, 1}, {0, 2}}, {true, true});
@@ -314,7 +314,7 @@ Project randomAddition(const Project& project, std::mt19937& random) {
     return random() % 2 == 0 ? *withCycle(project, time, {}) : *withCycle(project, {}, time);
 }
 
-/// A pose of a handle: any one, or a copy of one that it or another handle has, mirrored or not.
+/// Poses a handle at a key: with a random pose, or a copy of one of this or another handle, mirrored or not.
 template <int Dim>
 CopiedKey randomPose(const Project& project, int handle, std::mt19937& random,
                      const std::vector<Vec3>& starts) {
@@ -405,8 +405,8 @@ Project fullFilm() {
     return project;
 }
 
-/// Motions are in order, and those of a handle that do not touch its edited keys from `left` to `right` keep
-/// their bits; where it was at untouched keys it is.
+/// Checks that motions are in order, that those of the handle which do not touch its edited keys from `left`
+/// to `right` keep their bits, and that the handle's places at untouched keys are unchanged.
 template <int Dim>
 void compareRest(Project& before, Project& after, int handle, double left, double right) {
     const auto &old = motionsOf<Dim>(before, handle), &now = motionsOf<Dim>(after, handle);
@@ -469,10 +469,10 @@ void editThousands() {
 
 }  // namespace
 
-/// Thousands of edits (keys moved, copied, pasted, mirrored, held, removed and eased, recordings made simple,
-/// late pins, cycles and markers): other handles, and motions that do not touch the edited keys, keep their
-/// bits; motions stay in order; where the handle was at untouched keys it is; undo to the start gives the
-/// first file byte for byte.
+/// Thousands of edits (keys moved, copied, pasted, mirrored, held, removed and eased, recordings simplified,
+/// late pins, cycles and markers) keep the bits of other handles and of motions that do not touch the edited
+/// keys. Motions stay in order, places at untouched keys stay, and undoing everything gives the first file
+/// byte for byte.
 void TestKeys::randomEditsKeepTheRest() {
     QFETCH(int, dimension);
     dimension == 2 ? editThousands<2>() : editThousands<3>();

@@ -8,7 +8,7 @@
 
 using namespace wend;
 
-/// Answers to questions of which the newest counts.
+/// Only the newest request is answered.
 class TestLatest : public QObject {
     Q_OBJECT
   private slots:
@@ -27,7 +27,7 @@ bool poolIsDone() {
 
 }  // namespace
 
-/// Whichever question is answered first.
+/// The newest request is answered, whichever finishes first.
 void TestLatest::newestIsAnswered() {
     QThreadPool::globalInstance()->setMaxThreadCount(2);
     for (const int first : {0, 1}) {
@@ -82,7 +82,7 @@ void TestLatest::droppedIsNotAnswered() {
     QTRY_VERIFY(called);
 }
 
-/// A dialog that is closed meanwhile, with or without what it was shown over.
+/// A dialog is closed meanwhile, with or without its parent.
 void TestLatest::nothingIsAnsweredAfterTheEnd() {
     for (const bool contextEnds : {false, true}) {
         auto context = std::make_unique<QObject>();

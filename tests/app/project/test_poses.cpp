@@ -10,7 +10,7 @@
 
 using namespace wend;
 
-/// Poses at times: a drag at a time sets where a pin is then, and all other times stay as they were.
+/// A drag at a time sets the pin's place then, and all other times stay as they were.
 class TestPoses : public QObject {
     Q_OBJECT
   private slots:
@@ -43,7 +43,8 @@ Pin pin(const std::string& name) {
     return handle;
 }
 
-/// One that moves from 0 to 1 s and from 2 to 3 s in a film of 4 s, and one that does not move.
+/// Returns a film of 4 s with a handle that moves from 0 to 1 s and from 2 to 3 s, and one that does not
+/// move.
 template <int Dim>
 Project film() {
     Design design;
@@ -121,7 +122,7 @@ void TestPoses::comesFromWhereItHeld() {
         QVERIFY((placeAt<2>(*after, 1, time) - Vec3(6, 0, 0)).norm() < 1e-14);
 }
 
-/// Nothing can be posed before a handle acts: that is the shape at rest.
+/// Nothing can be posed before a handle acts, where the shape is at rest.
 void TestPoses::startsAtRest() {
     QVERIFY(!posed<2>(film<2>(), 0, 0, {1, 0, 0}));
     QVERIFY(!posed<2>(film<2>(), 1, 0, {1, 0, 0}));
@@ -195,8 +196,8 @@ void TestPoses::scalingsAndFieldsAreSplitExactly_data() {
     }
 }
 
-/// Points of a body that grows, and the share of a field: beside where they were by the displacement times
-/// its factor at all times, and where they were once the key is removed.
+/// The body grows, and the field is scaled by its share: all points are displaced by the pose times its
+/// factor at all times, and are back where they were once the key is removed.
 void TestPoses::scalingsAndFieldsAreSplitExactly() {
     QFETCH(int, dimension);
     QFETCH(int, kind);
@@ -264,9 +265,9 @@ void TestPoses::easedScalingsAndFieldsKeepTheirKeys_data() {
             QTest::addRow("%s, %d", isField ? "field" : "scaling", int(easing)) << int(easing) << isField;
 }
 
-/// A part of an easing is none of the four easings: exact are the ends of the motion, the pose, and the part
-/// before it where the motion only speeds up; elsewhere the nearest easing is off by little. A key that is
-/// removed leaves the motion from before.
+/// A part of an easing is not one of the four easings. The ends of the motion, the pose, and the part before
+/// it where the motion only speeds up are exact; elsewhere the nearest easing differs by little. Removing the
+/// key restores the motion.
 void TestPoses::easedScalingsAndFieldsKeepTheirKeys() {
     QFETCH(int, easing);
     QFETCH(bool, isField);
@@ -320,8 +321,8 @@ void TestPoses::evenRotationsStayRotations_data() {
     QTest::addRow("3D, along the axis too") << 3 << false;
 }
 
-/// The body has the rotation that it had at all times, is beside its place at the key, and where it was
-/// before and after. Without the key it is the rotation from before.
+/// The body keeps the rotation that it had at all times, is displaced at the key, and is where it was before
+/// and after. Removing the key restores the rotation.
 void TestPoses::evenRotationsStayRotations() {
     QFETCH(int, dimension);
     QFETCH(bool, isAcross);
@@ -377,8 +378,8 @@ void TestPoses::rotationsAreKept_data() {
     }
 }
 
-/// Three points of a body that rotates: they move beside where they were by the same displacement, times its
-/// factor; before the motion and after it they are where they were.
+/// Three points of a rotating body are displaced by the same vector times its factor; before and after the
+/// motion they are where they were.
 void TestPoses::rotationsAreKept() {
     QFETCH(int, dimension);
     QFETCH(int, kind);
@@ -474,8 +475,8 @@ Project otherFilm(int round, const Vector& vector) {
     return project;
 }
 
-/// The handle is posed at the time, or at the nearest end or start of a motion; the other handle and what
-/// lies beyond the key poses around are as before.
+/// Poses the handle at the time, or at the nearest end or start of a motion, and checks that the other handle
+/// and everything beyond the neighbouring key poses are as before.
 template <int Dim>
 void comparePosed(const Project& project, const Project& next, int handle, double time, const Vec3& by) {
     const auto& motions = project.design.handles[handle].motions;
@@ -532,8 +533,8 @@ void poseAtRandom() {
 
 }  // namespace
 
-/// Hundreds of poses at random times of random pins with recordings, eased moves and paths: the pin is where
-/// it was put; its motion beyond the neighbouring key poses stays, and that of the other pin to the bit.
+/// Hundreds of poses of random pins at random times, with recordings, eased moves and paths: the pin is where
+/// it was put, its motion beyond the neighbouring key poses stays, and that of the other pin keeps its bits.
 void TestPoses::randomPosesKeepTheRest() {
     QFETCH(int, dimension);
     dimension == 2 ? poseAtRandom<2>() : poseAtRandom<3>();

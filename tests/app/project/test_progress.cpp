@@ -37,7 +37,7 @@ namespace {
 
 using Film = std::shared_ptr<Project>;
 
-/// A pin that moves from 0 to 1 and from 1 to 3 s.
+/// Returns a film with a pin that moves from 0 to 1 and from 1 to 3 s.
 Film film(std::vector<PinMotion> motions) {
     Pin handle;
     handle.name = "A";
@@ -56,7 +56,7 @@ Pin& handleOf(const Film& project) {
     return designOf(*project).handles[0];
 }
 
-/// Where the pin is, as wend run has it.
+/// Returns the pin's place as `wend run` computes it.
 Vec3 placeAt(const Film& project, double time) {
     return HandleTimeline<3>(handleIn<3>(handleOf(project)))
         .bodyAt(time, Side::Before)
@@ -103,7 +103,7 @@ void TestProgress::easingsAreCurves() {
     QVERIFY(!easeOf({0.1, 0.7}));
 }
 
-/// Also one that goes beyond its end and comes back.
+/// A straight move follows its curve, even one that goes beyond its end and comes back.
 void TestProgress::straightMovesFollowTheCurve() {
     const Vec3 first(30, 0, 0), by(12, -16, 0);
     for (const Progress progress :
@@ -135,7 +135,7 @@ void TestProgress::presetsAreEasings() {
     QVERIFY(std::holds_alternative<Translate<3>>(handleOf(project).motions[0].kind));
 }
 
-/// No other kind of motion is needed: the text has a Bézier curve on the line of the move.
+/// The file needs no other kind of motion: its text has a Bézier curve on the line of the move.
 void TestProgress::theFileHoldsTheCurve() {
     const Film project = eased(film({{Translate<3>{{30, 0, 0}}, 0, 1}}), {{0, 0}}, {0.2, 0.9});
     const std::string text = toJson(*project);
@@ -158,7 +158,7 @@ void TestProgress::curveIsReadBack() {
     const ShownProgress shown = shownProgress(designOf(*straight), {0, 0});
     QVERIFY(std::abs(shown.curve.first - first) < 1e-12 && std::abs(shown.curve.second - second) < 1e-12);
     QVERIFY(shown.isFree && shown.way.empty());
-    // A recording only goes forward; its curve is that of its length.
+    // A recording only moves forward along its length.
     const Film stroke = eased(film({{scrawl(), 0, 1}}), {{0, 0}}, {first, second});
     const ShownProgress fitted = shownProgress(designOf(*stroke), {0, 0});
     QVERIFY(fitted.isFree);
@@ -232,8 +232,8 @@ void TestProgress::splitIsExact_data() {
     QTest::newRow("drawn cubic") << 5;
 }
 
-/// A pose inside leads the path through it and changes nothing else: at every time the pin is where it was,
-/// plus the displacement times a factor that rises linearly to 1 and falls back to 0.
+/// A pose inside a move leads the path through it and changes nothing else: at every time the pin is
+/// displaced by a factor that rises linearly to 1 and falls back to 0.
 void TestProgress::splitIsExact() {
     QFETCH(int, kind);
     PinMotion motion{Translate<3>{{40, 10, 0}}, 1, 3};

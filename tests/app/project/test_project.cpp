@@ -1,4 +1,5 @@
-// Project files: what is read, what is refused and with which words, and that writing loses nothing.
+// Project files: valid ones are read, invalid ones are refused with their messages, and writing loses
+// nothing.
 
 #include <QtTest>
 #include <filesystem>
@@ -87,7 +88,7 @@ struct Misspelt {
     std::string wrong, right;
 };
 
-/// The same with one key misspelt, for every key of three letters or more in it.
+/// Returns copies of the project with one misspelt key each, for every key of three letters or more.
 std::vector<Misspelt> misspellings(const QJsonValue& value) {
     std::vector<Misspelt> all;
     if (value.isArray()) {
@@ -154,7 +155,7 @@ static Project projectWith(const Option& setting) {
     return project;
 }
 
-/// Of the setting's range, and not a default.
+/// Returns a value of the setting's range that is not its default.
 static double anotherValue(const Option& setting, const Project& project) {
     const double now = setting.field.at.get(project);
     if (setting.kind == OptionKind::Flag || setting.kind == OptionKind::Choice) return now == 0 ? 1 : 0;
@@ -183,8 +184,8 @@ class TestProject : public QObject {
         QCOMPARE(project.integration.tolerance, 1e-4);
     }
 
-    /// Each setting of the table by itself: what is written reads back as the same, no other setting changes,
-    /// and where something is made anew by it, that is noticed.
+    /// Each setting of the table is written and read back unchanged, no other setting changes, and a setting
+    /// that invalidates something is noticed.
     void everySettingIsKeptAndCompared() {
         int seen = 0;
         for (const Option& one : options()) {
@@ -264,10 +265,10 @@ class TestProject : public QObject {
             QVERIFY2(once.find(piece) != std::string::npos, piece);
     }
 
-    /// What is written says all that the input said, key by key, in the same numbers and words.
-    void writtenIsWhatWasRead_data() {
+    /// The written file has every key of the input, with the same numbers and words.
+    void writingKeepsEveryKey_data() {
         QTest::addColumn<QString>("text");
-        // The end as it is kept: it covers the windows of settling.
+        // the stored end includes the time of settling
         QTest::newRow("plane") << QString::fromStdString(kFull).replace(QStringLiteral("\"end\": 2}"),
                                                                         QStringLiteral("\"end\": 2.7}"));
         QTest::newRow("mesh") << QString::fromStdString(projectText(
@@ -284,7 +285,7 @@ class TestProject : public QObject {
             "1]], "
             "'frame': 'frenet', 'twist': 1.25, 'scale': 0.75, 'time': [0.25, 1], 'ease': 'out'}]}]"));
     }
-    void writtenIsWhatWasRead() {
+    void writingKeepsEveryKey() {
         QFETCH(QString, text);
         const std::string input = text.toStdString();
         const auto read = [](const std::string& json) {
@@ -375,7 +376,7 @@ class TestProject : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, domain("'cage': 3, "));
     }
 
-    /// A mesh that cannot be opened leaves the coordinates to tell.
+    /// The number of coordinates gives the dimension if a mesh cannot be opened.
     void dimensionFromCoordinates() {
         const std::string head = "'domain': {'mesh': 'missing.msh'}, 'handles': [{'at': {'points':";
         QCOMPARE(dimensionOf(*parseProject(projectText(head + "[[1, 2]]}}]"), "p.wend").project), 2);
@@ -403,7 +404,7 @@ class TestProject : public QObject {
         QCOMPARE(toJson(*again.project), once);
     }
 
-    /// One B, however it is written.
+    /// All notations of one B are equivalent.
     void anisotropiesOfCells() {
         const auto read = [](const std::string& B) {
             return planar(*parseProject(withMaterial("'cells': {'B': " + B + "}"), "p.wend").project)
@@ -430,7 +431,7 @@ class TestProject : public QObject {
         QVERIFY(reasonFor(withMaterial("'cells': {'B': [1, 0, 0, 1, 1]}")).contains("no multiple of 4 or 3"));
     }
 
-    /// Whichever key is misspelt, the message names it and the one that was meant.
+    /// Whichever key is misspelt, the message names it and the intended one.
     void misspeltKeys() {
         const QJsonObject full = QJsonDocument::fromJson(QByteArray::fromStdString(kFull)).object();
         const std::vector<Misspelt> all = misspellings(full);
@@ -480,7 +481,7 @@ class TestProject : public QObject {
         QCOMPARE(editDistance("", "abc"), 3);
     }
 
-    /// A file that gives no end stays so, whatever the end comes to; one that gives it keeps it.
+    /// A file that gives no end stays so, whatever end follows from the motions; a given end is kept.
     void endIsLeftToTheMotions() {
         const std::string motion =
             "{'kind': 'translate', 'by': [1, 0], 'time': [0.5, 3]}, {'kind': 'translate', 'by': [1, 0], "
@@ -503,8 +504,8 @@ class TestProject : public QObject {
         QCOMPARE(endOf(", 'time': {'rate': 24}"), 1.0);
     }
 
-    /// A shape that has become another one leaves its unknown keys behind instead of failing.
-    void unknownKeysOfWhatIsGone() {
+    /// Unknown keys of a shape that is replaced are dropped instead of causing an error.
+    void unknownKeysOfReplacedShapes() {
         Project project =
             *parseProject(withMaterial("'regions': [{'phi': 1, 'shape': "
                                        "{'circle': {'centre': [1, 2], 'radius': 3, 'glow': true}}}]"),
@@ -741,7 +742,7 @@ class TestProject : public QObject {
             QCOMPARE(plain.find(key), std::string::npos);
     }
 
-    /// In the order of time, with what another program has added to them.
+    /// Markers are kept in the order of time, with any keys that another program has added.
     void markersAreKept() {
         const LoadedProject loaded = parseProject(
             projectText(kImage + ", 'time': {'markers': [{'at': 2, 'name': 'b'}, {'at': 0.5, 'mood': 3}]}"),
@@ -779,7 +780,7 @@ class TestProject : public QObject {
         writeProject((base / "sub" / "b.wend").string(), project, base.string());
         QCOMPARE(domainOf(*readProject((base / "sub" / "b.wend").string()).project).path,
                  std::string("../frog.png"));
-        // and so it does with all others
+        // and all other files as well
         const std::string meshText = projectText(
             "'domain': {'mesh': 'in/strip.obj', 'image': 'in/frog.png'}, 'material': {'cells': "
             "'cells.json'}");
@@ -833,7 +834,8 @@ class TestProject : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, readCells(path, spec, 2));
     }
 
-    /// A name is looked up, kept while the handle is where it says, and written as ids where it was moved.
+    /// A group's name is looked up and kept while the handle is where the group is, and written as ids once
+    /// the handle is moved.
     void handlesOnGroups() {
         QTemporaryDir folder;
         const std::string base = folder.path().toStdString();

@@ -1,5 +1,5 @@
-// What is saved, against what was opened: the file's own JSON, read by a parser that knows nothing of
-// projects. (A writer that is compared with itself loses keys unseen.)
+// The saved file is compared with the opened one as plain JSON, by a parser that is independent of projects.
+// (A writer that is compared with itself could lose keys unnoticed.)
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -23,7 +23,7 @@ std::string projectText(const std::string& rest) {
     return json("{'format': 'wend', 'version': 1, " + rest + "}");
 }
 
-/// Every key of a picture's project, none at its default.
+/// A picture's project with every key, none at its default.
 const std::string kFlat = projectText(
     "'domain': {'image': 'frog.png', 'outline': {'from': 'alpha', 'threshold': 0.25, 'margin': 3, 'gap': "
     "1.5, "
@@ -55,7 +55,7 @@ const std::string kFlat = projectText(
     "'time': {'end': 2}, "
     "'integration': {'method': 'rk4', 'tolerance': 1e-5, 'steps': 12, 'smallestStep': 1e-5}");
 
-/// Every key of a solid's.
+/// A solid's project with every key.
 const std::string kSolid = projectText(
     "'domain': {'surface': 'bar.obj', 'quality': 1.6, 'maxVolume': 0.1, 'refineSurface': true, "
     "'fixes': [{'fill': [3, 17]}, {'drop': [4, 8]}, {'turn': [5]}], "
@@ -73,7 +73,7 @@ const std::string kSolid = projectText(
     "'pivot': [0.25, 0, 0], 'parallel': true}}, "
     "'time': {'end': 3}, 'integration': {'method': 'dopri5', 'tolerance': 1e-6}");
 
-/// Where `saved` lacks something of `given`, or has it otherwise.
+/// Returns the places where `saved` lacks or changes something of `given`.
 QStringList lost(const Json& given, const Json& saved, const std::string& where = {}) {
     QStringList all;
     if (given.is_object()) {
@@ -112,7 +112,7 @@ class TestProjectSaved : public QObject {
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join("\n")));
     }
 
-    /// Keys of the view that nobody knows, where there is nothing else to say of it, and in its camera.
+    /// Unknown keys of the view are kept, even if it has no other keys, and so are those in its camera.
     void unknownKeysOfTheViewAreKept() {
         const std::string start = "'domain': {'surface': 'bar.obj'}, 'view': ";
         for (const std::string view :
@@ -130,7 +130,7 @@ class TestProjectSaved : public QObject {
         QVERIFY(!Json::parse(toJson(*parseProject(text, "p.wend").project)).contains("view"));
     }
 
-    /// Saved in another folder, every file that a project names is still that file.
+    /// Every path of a project that is saved in another folder still names the same file.
     void everyFileIsNamedFromTheNewFolder() {
         QTemporaryDir folder;
         const fs::path base = folder.path().toStdString();

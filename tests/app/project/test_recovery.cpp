@@ -13,7 +13,7 @@
 
 using namespace wend;
 
-/// Copies of unsaved work: there while they are needed, gone when not, found after a crash.
+/// Copies of unsaved work: they exist while they are needed, and are found after a crash.
 class TestRecovery : public QObject {
     Q_OBJECT
   private slots:
@@ -22,7 +22,7 @@ class TestRecovery : public QObject {
     void copiesArePrivate();
     void savingAndUndoingTakeTheCopyAway();
     void runningProgramsLoseNothing();
-    void aFolderThatCannotBeWrittenIsSaidOnce();
+    void anUnwritableFolderIsReportedOnce();
     void recoveredWorkIsUnsaved();
 
   private:
@@ -36,7 +36,7 @@ class TestRecovery : public QObject {
 
 namespace {
 
-/// What a crash leaves of a copy: all but the lock of a living process.
+/// Makes the remains of a crash from a copy: everything but the lock of a living process.
 QString crashed(const QString& copy, const QString& folder) {
     const QString base = QDir(folder).filePath(QStringLiteral("crashed"));
     QFile::copy(copy, base + ".wend");
@@ -76,7 +76,7 @@ void TestRecovery::aChangeIsCopied() {
     QCOMPARE(designOf(*readProject(recovery.copy().toStdString()).project).handles.size(), std::size_t(2));
 }
 
-/// Unsaved work is nobody else's, in whatever folder the copies were before.
+/// Only the user can read unsaved work, in whatever folder the copies were before.
 void TestRecovery::copiesArePrivate() {
     const QString folder = m_folder->filePath(QStringLiteral("copies"));
     QVERIFY(QDir().mkpath(folder));
@@ -120,7 +120,7 @@ void TestRecovery::runningProgramsLoseNothing() {
     QCOMPARE(QDir(after.path()).entryList(QDir::Files), QStringList());
 }
 
-void TestRecovery::aFolderThatCannotBeWrittenIsSaidOnce() {
+void TestRecovery::anUnwritableFolderIsReportedOnce() {
     QFile file(m_folder->filePath("file"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     Recovery recovery(*m_document, m_folder->filePath("file/folder"), 0);

@@ -73,7 +73,7 @@ void TestSaid::errorsSpeakTheLanguage_data() {
                               << "輪郭が (";
 }
 
-/// Thrown by the core itself, so that a sentence that changes there is missed here.
+/// The core itself throws the errors, so that a changed sentence fails here.
 void TestSaid::errorsSpeakTheLanguage() {
     QFETCH(QString, language);
     QFETCH(QString, opaque);
@@ -88,7 +88,8 @@ void TestSaid::errorsSpeakTheLanguage() {
     QVERIFY(saidOf([&] { meshOutline(bow, {}); }).startsWith(crossing));
 }
 
-/// Messages within messages, and after their subject; a place in an argument is none.
+/// Messages are filled in within messages and after their subject; placeholders in an argument are left
+/// alone.
 void TestSaid::messagesAreFilledAfterTranslation() {
     const Message crash(sentence("Core", "its reader failed inside (signal %1)"), 11);
     const InputError reading("a%1.png", {sentence("Core", "cannot be read: %1"), crash});
@@ -107,7 +108,7 @@ void TestSaid::messagesAreFilledAfterTranslation() {
              QStringLiteral("c %3.png: das Leseprogramm ist abgestürzt (Signal 11)"));
 }
 
-/// A tetrahedron without one of its faces, another one twice.
+/// A tetrahedron lacks one of its faces, and another face is there twice.
 void TestSaid::problemsAreListed() {
     Surface surface{Points3(3, 4), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {1, 2, 3}}, {}};
     surface.points << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
@@ -151,7 +152,7 @@ void TestSaid::stops() {
                        "hält"));
 }
 
-/// A message keeps its parts on its way through a pipe; no other bytes are taken for one.
+/// A message keeps its parts through a pipe, and no other bytes are taken for one.
 void TestSaid::messagesTravelAsBytes() {
     const Message inner(sentence("Core", "has a damaged %1"), std::string("a\0:9%1", 6)),
         outer(sentence("Core", "cannot be read: %1"), inner);

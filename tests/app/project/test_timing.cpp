@@ -12,7 +12,7 @@
 
 using namespace wend;
 
-/// When things happen: drags that are recorded as they go, and motions that are put at other times.
+/// Timing: drags recorded in real time, and motions moved to other times.
 class TestTiming : public QObject {
     Q_OBJECT
   private slots:
@@ -68,7 +68,7 @@ const std::vector<Pin>& handlesOf(const Project& project) {
     return project.design.handles;
 }
 
-/// Where a timed way is at a time, linear in between.
+/// Returns the amount of a timed path at a time, linearly interpolated.
 Amount at(const TimedPath& path, double seconds) {
     for (std::size_t i = 1; i < path.seconds.size(); ++i)
         if (seconds <= path.seconds[i]) {
@@ -80,8 +80,8 @@ Amount at(const TimedPath& path, double seconds) {
 
 }  // namespace
 
-/// A hand that speeds up along an arc: at each of its samples the recording is where it was, within the
-/// tolerance and the way of 20 ms.
+/// The pointer speeds up along an arc: at each of its samples the recording is where it was, within the
+/// tolerance and the distance of 20 ms.
 void TestTiming::recordedDragsKeepTheirTimes() {
     constexpr double kTolerance = 0.5, kBegin = 1234.5;
     DragGesture drag({0}, {}, true);
@@ -103,7 +103,7 @@ void TestTiming::recordedDragsKeepTheirTimes() {
     }
 }
 
-/// Between two samples far apart in time the hand was where it had been, not on its way.
+/// Between two samples far apart in time the recording rests instead of moving slowly.
 void TestTiming::restsStayRests() {
     DragGesture drag({0}, {}, true);
     for (int i = 1; i <= 10; ++i) drag.add({3.0 * i, 0, 0}, i * kTick);
@@ -154,7 +154,7 @@ void TestTiming::recordingsJoinWhatOthersDo() {
     QVERIFY((path.at(1.625).position(start) - Vec3(14, 21.5, 0)).norm() < 1e-12);
 }
 
-/// Of the recorded pin what came later goes; the film becomes longer where it must.
+/// Later motions of the recorded pin are replaced; the film becomes longer where it must.
 void TestTiming::recordingsReplaceTheirOwn() {
     const Gesture gesture{{0}, {}, {{0, 0, 0}, {1, 0, 0}}, 2.5, 1, {0, 3}};
     const Project after = withGesture(film<2>(), gesture, {{0, 0, 0}});
@@ -175,7 +175,7 @@ void TestTiming::firstRecordingIsTheFilm() {
     QCOMPARE(motionEnd(after), 0.75);
 }
 
-/// Turns become a motion per piece of the way, none where the hand rests.
+/// Rotations become one motion per piece of the path, none where the pointer rests.
 void TestTiming::recordedTurnsRest() {
     Grip turn;
     turn.kind = Grip::Kind::Turn;
@@ -242,7 +242,7 @@ void TestTiming::laterMotionsLengthenTheFilm() {
 
 namespace {
 
-/// Of pins A and B; A moves three times, B once.
+/// Returns a film of pins A and B; A moves three times, B once.
 Project busyFilm() {
     Project project = film<2>();
     auto& handles = project.design.handles;
@@ -255,7 +255,7 @@ const std::vector<MotionId> kSeveral = {{0, 0}, {0, 1}, {1, 0}};  // from 0 to 3
 
 }  // namespace
 
-/// The map of times is linear: the ends of each are where it takes them.
+/// The map of times is linear, so the ends of each motion are mapped to the given times.
 void TestTiming::severalAreMovedAndScaled() {
     Project project = busyFilm();
     project.design = withoutMotions(project.design, {{0, 2}});
@@ -273,7 +273,7 @@ void TestTiming::severalAreMovedAndScaled() {
     }
 }
 
-/// One that does not go along stops all; none becomes shorter than a motion may be.
+/// One motion that cannot be moved stops all; none becomes shorter than the minimum.
 void TestTiming::severalStayBetweenTheirNeighbours() {
     const Project project = busyFilm();
     const auto to = [&](const std::vector<MotionId>& motions, const MotionTime& span) {
@@ -291,7 +291,7 @@ void TestTiming::severalStayBetweenTheirNeighbours() {
     QVERIFY(std::abs(to({{0, 0}, {1, 0}}, {0, 0}).end - 2.5 * kShortestMotion) < 1e-12);
     const Project after = withMotionSpan(project, {{0, 2}}, {3, 3});
     QVERIFY(std::abs(timeOf(after.design, 0, 2).end - 3 - kShortestMotion) < 1e-12);
-    // However they are rounded, they do not overlap, and the file can be read.
+    // Rounded to any digits, they do not overlap, and the file can be read.
     for (int i = 1; i < 40; ++i) {
         const Project next = withMotionSpan(project, kSeveral, {0, 3.0 * i / 41});
         QVERIFY(timeOf(next.design, 0, 0).end <= timeOf(next.design, 0, 1).start);
@@ -326,7 +326,7 @@ void TestTiming::almostTheEndIsTheEnd_data() {
     QTest::newRow("a recording") << std::vector<double>{0, 1};
 }
 
-/// A slider's last place may lie before the film's end by rounding: what goes on from there goes on from the
+/// The slider's last position may be before the film's end by rounding: a motion added there starts at the
 /// end, and the file can be read.
 void TestTiming::almostTheEndIsTheEnd() {
     QFETCH(std::vector<double>, times);

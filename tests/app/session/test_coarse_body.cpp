@@ -1,5 +1,5 @@
-// Large shapes ride in a coarser body while they are dragged: how near that is to their own flow, and what
-// stays exact.
+// Large shapes are embedded in a coarser body while they are dragged: the preview stays near their own flow,
+// and some properties are exact.
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -25,16 +25,16 @@ class TestCoarseBody : public QObject {
     void affineMapsAreFollowed();
     void nearTheShapesOwnFlow_data();
     void nearTheShapesOwnFlow();
-    void goesOnFromABentShape_data() { bothDimensions_data(); }
-    void goesOnFromABentShape();
+    void continuesFromABentShape_data() { bothDimensions_data(); }
+    void continuesFromABentShape();
     void pinsAreUnderTheHand_data() { bothDimensions_data(); }
     void pinsAreUnderTheHand();
     void pinsSideBySideDoWithoutIt_data() { bothDimensions_data(); }
     void pinsSideBySideDoWithoutIt();
     void partsSideBySideAreExact_data() { bothDimensions_data(); }
     void partsSideBySideAreExact();
-    void keepsWhatTheShapeKeeps_data() { bothDimensions_data(); }
-    void keepsWhatTheShapeKeeps();
+    void bodyHasTheMaterialOfTheShape_data() { bothDimensions_data(); }
+    void bodyHasTheMaterialOfTheShape();
     void bordersSlide();
     void holesStayOpen();
     void jawsStayApart();
@@ -46,8 +46,8 @@ namespace {
 constexpr double kLength = 4;  // of a bar of width 1
 constexpr double kDent = 0.16;
 
-/// Every box of a grid is cut into Dim! simplices (Kuhn): one for each order in which the axes are gone along
-/// from its lowest corner.
+/// Cuts every box of a grid into Dim! simplices (Kuhn), one for each order of the axes along which its far
+/// corner is reached from its lowest one.
 template <int Dim>
 SimplicialMesh<Dim> gridBar(int across) {
     std::array<int, Dim> counts;
@@ -129,13 +129,13 @@ Handle<Dim> pin(double x, double y) {
     return handle;
 }
 
-/// Where a hand leads the right end.
+/// Returns the amount by which the pointer moves the right end at sample i.
 Amount handAt(int i) {
     return {-0.02 * i, 0.12 * i, 0};
 }
 constexpr int kSamples = 8;
 
-/// Led through all samples; false if it did not get there.
+/// Drags through all samples; returns false if it did not arrive.
 template <int Dim>
 bool lead(LiveDrag<Dim>& drag, int handle, const Points<Dim>& from, int samples = kSamples) {
     drag.begin({handle}, {}, from);
@@ -149,7 +149,7 @@ double farthest(const Points<Dim>& a, const Points<Dim>& b) {
     return (a - b).colwise().norm().maxCoeff();
 }
 
-/// Bent, with shears that no cell of the body shares.
+/// Returns a bent pose with shears that no cell of the body shares.
 template <int Dim>
 Points<Dim> bent(const Points<Dim>& rest) {
     constexpr double curvature = 0.4;
@@ -183,7 +183,7 @@ void TestCoarseBody::begunWhereTheShapeIs() {
         const Shape<Dim> shape = bar<Dim>();
         const auto body = bodyOf(shape);
         QVERIFY(body->rest()->vertexCount() < shape.rest->vertexCount() / 3);
-        // Where the last one is pushed in the body folds over, since it reaches beyond the shape.
+        // Where the last vertex is pushed in, the body folds over, since it reaches beyond the shape.
         Points<Dim> dented = shape.rest->points;
         for (Eigen::Index v = 0; v < dented.cols(); ++v)
             if (dented(1, v) == 1 && std::abs(dented(0, v) - 2) < 0.15) dented(1, v) -= kDent;
@@ -194,7 +194,7 @@ void TestCoarseBody::begunWhereTheShapeIs() {
             // Of coordinates up to 4: rounding.
             QVERIFY(farthest<Dim>(body->carried(*ride, ride->body), pose) < 1e-13 * kLength);
         }
-        // A shape turned inside out has no body to ride in.
+        // An inverted shape has no body to be embedded in.
         Points<Dim> mirrored = shape.rest->points;
         mirrored.row(0) *= -1;
         QVERIFY(!body->begin(mirrored).has_value());
@@ -202,7 +202,8 @@ void TestCoarseBody::begunWhereTheShapeIs() {
     IN_BOTH(check);
 }
 
-/// Whatever the pose it begins in: the same map of both, by the definition of what is carried.
+/// Both the shape and the body follow an affine map, whatever the initial pose, by the definition of the
+/// embedding.
 void TestCoarseBody::affineMapsAreFollowed() {
     const auto check = []<int Dim>() {
         const Shape<Dim> shape = bar<Dim>();
@@ -228,9 +229,9 @@ void TestCoarseBody::nearTheShapesOwnFlow_data() {
             QTest::addRow("%d %s", dim, name) << dim << phi;
 }
 
-/// The end is led by a quarter of the length. What is held stays where it is and the led end goes exactly as
-/// it is led; in between a body of a sixth of the vertices, whose cells are a fifth of the bar's width, is
-/// off by 2 % of the length at most: seen at second sight only.
+/// The end is moved by a quarter of the length. Held vertices stay and the moved end is exact; in between, a
+/// body with a sixth of the vertices, whose cells are a fifth of the bar's width, differs by at most 2 % of
+/// the length, which is hardly visible.
 void TestCoarseBody::nearTheShapesOwnFlow() {
     QFETCH(double, phi);
     const auto check = [&]<int Dim>() {
@@ -253,8 +254,9 @@ void TestCoarseBody::nearTheShapesOwnFlow() {
     IN_BOTH(check);
 }
 
-/// From the end of the shape's own flow: no jump, and it comes back to where the own flow comes.
-void TestCoarseBody::goesOnFromABentShape() {
+/// A drag that starts from the end of the shape's own flow has no jump, and it returns to where the own flow
+/// arrives.
+void TestCoarseBody::continuesFromABentShape() {
     const auto check = []<int Dim>() {
         const Shape<Dim> shape = bar<Dim>();
         LiveDrag<Dim> own(shape, ends<Dim>()), riding(shape, ends<Dim>(), bodyOf(shape));
@@ -300,7 +302,7 @@ void TestCoarseBody::pinsAreUnderTheHand() {
     IN_BOTH(check);
 }
 
-/// The body could not move one without the other; the shape can, and does.
+/// The body could not move one pin without the other; the shape can, and does.
 void TestCoarseBody::pinsSideBySideDoWithoutIt() {
     const auto check = []<int Dim>() {
         const Shape<Dim> shape = bar<Dim>();
@@ -314,8 +316,8 @@ void TestCoarseBody::pinsSideBySideDoWithoutIt() {
     IN_BOTH(check);
 }
 
-/// A tenth of the width apart, less than a cell of the body: what is held stays, what turns, turns as a
-/// whole.
+/// The parts are a tenth of the width apart, less than a cell of the body: held ones stay, and a rotated one
+/// rotates rigidly.
 void TestCoarseBody::partsSideBySideAreExact() {
     const auto check = []<int Dim>() {
         const Shape<Dim> shape = bar<Dim>();
@@ -346,8 +348,8 @@ void TestCoarseBody::partsSideBySideAreExact() {
     IN_BOTH(check);
 }
 
-/// φ and direction of the half that a cell lies in, the mean in those that lie in both.
-void TestCoarseBody::keepsWhatTheShapeKeeps() {
+/// A cell of the body has φ and direction of the half that contains it, or the mean if it is in both.
+void TestCoarseBody::bodyHasTheMaterialOfTheShape() {
     const auto check = []<int Dim>() {
         Shape<Dim> shape = bar<Dim>();
         Material<Dim> halves = *shape.material;
@@ -390,7 +392,7 @@ void TestCoarseBody::keepsWhatTheShapeKeeps() {
     IN_BOTH(check);
 }
 
-/// What lies on the lower side stays on it, and goes along it.
+/// Vertices on the lower side stay on it and slide along it.
 void TestCoarseBody::bordersSlide() {
     const Shape<2> shape = bar<2>();
     std::vector<Handle<2>> handles{endHandle<2>(0), pin<2>(3, 0.5)};
@@ -410,7 +412,7 @@ void TestCoarseBody::bordersSlide() {
     QVERIFY2(along > 0.02, qPrintable(QString::number(along)));
 }
 
-/// In the plane the body has the shape's own outline: what is parted stays parted.
+/// In the plane the body has the shape's own outline, so separate parts stay separate.
 void TestCoarseBody::holesStayOpen() {
     SimplicialMesh<2> mesh = gridBar<2>(24);
     std::erase_if(mesh.cells, [&](const Cell<2>& cell) {
@@ -431,8 +433,8 @@ void TestCoarseBody::holesStayOpen() {
     }
 }
 
-/// Cubes that are wider than the gap between two jaws would hold them together; a bar has no jaws, nor has
-/// one with a gap that is wide enough.
+/// Cubes wider than the gap between two jaws would join them; a bar has no jaws, nor has a shape with a
+/// sufficiently wide gap.
 void TestCoarseBody::jawsStayApart() {
     const auto tongs = [](double gap) {
         SimplicialMesh<3> mesh = gridBar<3>(10);
@@ -459,7 +461,7 @@ void TestCoarseBody::onlyLargeShapesNeedOne() {
         std::make_shared<const Material<2>>(Material<2>::uniform(large.rest->cellCount(), phi::kMetr, {}));
     const auto body = CoarseBody<2>::of(large);
     QVERIFY(body && body->rest()->vertexCount() < 6000);
-    // Triangles that lie on each other have no outline; such a shape is dragged as it is.
+    // Coincident triangles have no outline; such a shape is dragged without a body.
     auto doubled = std::make_shared<SimplicialMesh<2>>(*large.rest);
     const int count = doubled->vertexCount();
     doubled->points.conservativeResize(2, 2 * count);

@@ -51,7 +51,7 @@ struct Bar<3> {
 
 }  // namespace
 
-/// Another energy beside, on the same handles.
+/// Another energy is shown beside the shape, with the same handles.
 class TestComparison : public QObject {
     Q_OBJECT
   private slots:
@@ -139,8 +139,8 @@ void TestComparison::halvesGoTogether() {
     BOTH(goTogether);
 }
 
-/// With the mouse: live, after the release, in time, undone; and the other half is what the document would be
-/// with that energy.
+/// The mouse drags both halves: live, after the release, in time, and undone; the other half equals the
+/// document with that energy.
 template <int Dim>
 void TestComparison::goTogether() {
     QVERIFY(begin<Dim>());
@@ -194,7 +194,7 @@ void TestComparison::lateMovesDoNotLead() {
     BOTH(moveLate);
 }
 
-/// X tells of where the pointer was before the press, when the drag has begun long since: no button is down
+/// X refers to the pointer's place before the press, when the drag has begun long ago: no button is down
 /// there.
 template <int Dim>
 void TestComparison::moveLate() {
@@ -222,7 +222,7 @@ void TestComparison::pinsAreDraggedInTheOtherHalf() {
     BOTH(dragInTheOther);
 }
 
-/// It is one drag of the document's; beside the pins nothing is pressed.
+/// A drag in the other half is one drag of the document; beside the pins nothing is pressed.
 template <int Dim>
 void TestComparison::dragInTheOther() {
     QVERIFY(begin<Dim>());
@@ -252,7 +252,7 @@ void TestComparison::dragInTheOther() {
     QVERIFY((reached - Bar<Dim>::end() - 0.5 * Bar<Dim>::way()).norm() < 0.1 * Bar<Dim>::way().norm());
 }
 
-/// In the other half, too, where nobody has selected anything.
+/// The drag also works in the other half, with nothing selected.
 template <int Dim>
 void TestComparison::showInfluence() {
     QVERIFY(begin<Dim>());
@@ -280,7 +280,7 @@ void TestComparison::halvesShowTheSamePart() {
     QTest::keyClick(&own, Qt::Key_1);
     m_f->window().actions().zoomIn->trigger();
     QVERIFY(own.view() == its.view());
-    // Fitted to what is bent it stays so in a window of another size.
+    // A view fitted to the bent shape stays fitted when the window is resized.
     m_f->session().selection().set({1});
     m_f->session().gestures().begin();
     m_f->session().gestures().moveBy({150, -200, 0}, 0);
@@ -298,7 +298,7 @@ void TestComparison::halvesShowTheSamePart() {
     settleLayout(m_f->window());
     QTRY_COMPARE(its.size(), own.size());
     QVERIFY(shows(own) && shows(its) && own.view() == its.view());
-    // Maps have the same colours in both.
+    // Maps have the same colours in both halves.
     m_f->window().actions().showMap->setChecked(true);
     const auto mapOf = [](const ShapeCanvas& canvas) {
         return canvas.shape().drawn() ? canvas.shape().drawn()->request : RenderRequest();
@@ -309,7 +309,7 @@ void TestComparison::halvesShowTheSamePart() {
     QVERIFY(!view().isSplit() && !its.isVisible());
 }
 
-/// As Qt brings it when a tile is dragged to the shape; beside it nothing happens.
+/// The event is that of Qt when a tile is dragged to the shape; beside the shape nothing happens.
 void TestComparison::tilesAreDropped() {
     QVERIFY(m_f->openPicture());
     QMimeData data;
@@ -361,7 +361,7 @@ void TestComparison::tilesArePreviewed() {
     QVERIFY(m_f->session().document().project() == before && !view().isSplit());
 }
 
-/// Samples while nothing moves; then what each energy does to this picture.
+/// The tiles show samples while nothing moves, then the effect of each energy on this picture.
 void TestComparison::tilesShowTheShape() {
     QFETCH(int, dimension);
     const bool solid = dimension == 3;
@@ -385,7 +385,7 @@ void TestComparison::tilesShowTheShape() {
     QCOMPARE(picture(1), sample);
 }
 
-/// And is the same on another day.
+/// The backdrop is behind both halves, and is the same on another day.
 void TestComparison::backdropLiesBehindBoth() {
     BOTH(chooseBackdrop);
 }
@@ -413,7 +413,7 @@ void TestComparison::chooseBackdrop() {
     QCOMPARE(behind(own), usual);
 }
 
-/// The keys go where the eye goes.
+/// The keyboard returns to the half that is in use.
 void TestComparison::keysReturnToTheShape() {
     BOTH(returnKeys);
 }
@@ -433,8 +433,7 @@ void TestComparison::paintIsTakenAway() {
     BOTH(takePaintAway);
 }
 
-/// Beside what is painted stands the shape as it was before that, with the same energy, whatever that
-/// becomes.
+/// The other half shows the shape as it was before painting, with the same energy, even if that changes.
 template <int Dim>
 void TestComparison::takePaintAway() {
     QVERIFY(begin<Dim>());

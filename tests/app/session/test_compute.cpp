@@ -25,7 +25,7 @@ using namespace wend::test;
 
 namespace {
 
-/// Up to the rounding of another clock.
+/// Compares up to the rounding of another clock.
 bool isNear(const Points2& a, const Points2& b) {
     return a.cols() == b.cols() && (a - b).colwise().norm().maxCoeff() < 1e-6;
 }
@@ -38,15 +38,15 @@ std::vector<Points2> posesOf(const FrameTrack& track) {
 
 }  // namespace
 
-/// The session with its compute thread: what the gestures lead to, without a window.
+/// The session with its compute thread: the results of gestures, without a window.
 class TestCompute : public QObject {
     Q_OBJECT
   private slots:
     void init();
     void opensAtRest();
     void pinsBecomeVertices();
-    void elasticFilmsKeepWhatFollows();
-    void elasticFilmsFollowWhatMoves();
+    void elasticFilmsKeepLaterFrames();
+    void elasticFilmsFollowMovedEnds();
     void anotherMeshIsTakenBack();
     void dragEndsAsTheCommandLineHasIt();
     void stopsWhileItPrepares();
@@ -54,7 +54,7 @@ class TestCompute : public QObject {
     void otherLengthsKeepThePoses();
     void framesOnTheirWayCount_data();
     void framesOnTheirWayCount();
-    void dragsGoOnFromWhatIsShown();
+    void dragsContinueFromTheShownPose();
     void escapeRestores();
     void undoShowsTheEarlierShapeAtOnce();
     void laterPinMovesNothing();
@@ -65,8 +65,8 @@ class TestCompute : public QObject {
     void cancelGoesBack();
     void firstMeshIsCancelled();
     void firstMotionIsCancelled();
-    void playbackWaitsForWhatIsComputed();
-    void whatIsGoneIsNotSelected();
+    void playbackWaitsForComputedFrames();
+    void removedHandlesAreNotSelected();
     void selectionStaysWithItsPins();
     void velocitiesWaitForRequests();
     void newestTargetsStay();
@@ -162,8 +162,8 @@ void TestCompute::dragEndsAsTheCommandLineHasIt() {
     QVERIFY(m_session->motion().frame()->pinError < 1e-9);
 }
 
-/// Whoever wishes to stop does not wait until the system is analyzed; what is analyzed by then serves the
-/// motion that is wanted meanwhile, to the bits of one that was never stopped.
+/// A request to stop does not wait for the analysis of the system; an analysis that is complete by then
+/// serves the next motion, with the same bits as one that was never stopped.
 void TestCompute::stopsWhileItPrepares() {
     open();
     m_session->addPin({40, 80, 0});
@@ -192,16 +192,16 @@ void TestCompute::stopsWhileItPrepares() {
     straight.set(shape, second);
     straight.run(sink, {});
     QVERIFY(pass.state().points == straight.state().points);
-    // A motion that cannot be is told where it is run, not in the thread that found out.
+    // An impossible motion is reported where it is run, not in the thread that detected it.
     auto impossible = copyOf(*second);
     designOf(*impossible).handles[0].at = std::vector<Vec3>{{-500, -500, 0}};
     pass.set(shape, impossible);
     QVERIFY_THROWS_EXCEPTION(InputError, pass.run(sink, {}));
 }
 
-/// Of an elastic film only what a change touches is computed anew: the frames before and after it are the
-/// very same, and those between agree with a computation from the start. A flow depends on the way.
-void TestCompute::elasticFilmsKeepWhatFollows() {
+/// In an elastic film only the part that a change affects is computed again: the frames before and after it
+/// are reused, and those between agree with a computation from the start. A flow depends on its path.
+void TestCompute::elasticFilmsKeepLaterFrames() {
     for (const bool elastic : {true, false}) {
         open();
         m_session->addPin({40, 80, 0});
@@ -218,7 +218,7 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
         m_session->document().change({}, film);
         QVERIFY(settle(*m_session));
         const auto before = m_session->motion().track().frames();
-        // The pose at 1 s: it touches what is before 2 s.
+        // The pose at 1 s affects the time before 2 s.
         for (const Vec3& by : {Vec3(4, 3, 0), Vec3(-6, 9, 0)}) {
             const auto next = copyOf(*m_session->document().project());
             auto& own = designOf(*next).handles[1].motions;
@@ -254,8 +254,8 @@ void TestCompute::elasticFilmsKeepWhatFollows() {
     }
 }
 
-/// The pose stays where it was put: a change that moves the end for good is computed to the end.
-void TestCompute::elasticFilmsFollowWhatMoves() {
+/// A pose stays where it was put: a change that moves the end for good is computed to the end.
+void TestCompute::elasticFilmsFollowMovedEnds() {
     open();
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
@@ -275,8 +275,8 @@ void TestCompute::elasticFilmsFollowWhatMoves() {
     QVERIFY((m_session->motion().frame<2>()->pose - commandLinePose()).cwiseAbs().maxCoeff() < 1e-6);
 }
 
-/// The very frames come back: nothing is computed again when a change of the mesh is undone, redone, or
-/// cancelled, be the mesh ready by then or not.
+/// The very same frames return: nothing is computed again when a change of the mesh is undone, redone, or
+/// cancelled, whether the mesh was ready or not.
 void TestCompute::anotherMeshIsTakenBack() {
     open();
     m_session->addPin({40, 80, 0});
@@ -304,12 +304,12 @@ void TestCompute::anotherMeshIsTakenBack() {
         QVERIFY(m_session->motion().track().frames() == coarse);
         QCOMPARE(m_session->document().domain().vertices, 400);
     }
-    // It goes on from there as if nothing had been.
+    // The motion continues from there as if nothing had happened.
     drag(1, {{0, 3}});
     QVERIFY(isNear(m_session->motion().frame<2>()->pose, commandLinePose()));
 }
 
-/// What was computed of the first drag stays and gets other times.
+/// The computed frames of the first drag are kept and get other times.
 void TestCompute::laterDragsContinueTheMotion() {
     open();
     m_session->addPin({40, 80, 0});
@@ -327,7 +327,7 @@ void TestCompute::laterDragsContinueTheMotion() {
     QVERIFY(std::abs(m_session->motion().track().frames()[shapes.size() - 1]->time - border) < 1e-9);
 }
 
-/// A longer film has the same poses, a shorter one too; where it has too few pictures they are made.
+/// A longer or shorter film has the same poses; missing frames are added where it has too few.
 void TestCompute::otherLengthsKeepThePoses() {
     open();
     m_session->addPin({40, 80, 0});
@@ -351,7 +351,8 @@ void TestCompute::framesOnTheirWayCount_data() {
     QTest::newRow("another length") << 0.5;
 }
 
-/// Results that the window has not taken when it asks for the next ones: those tell only what is new since.
+/// Results that the window has not taken when it asks for the next ones are not repeated: the next ones hold
+/// only the new part.
 void TestCompute::framesOnTheirWayCount() {
     QFETCH(double, factor);
     open();
@@ -376,8 +377,9 @@ void TestCompute::framesOnTheirWayCount() {
     QVERIFY(settle(*m_session));
 }
 
-/// From the place where the pin is seen; what it did later is replaced, told, and undone. Others go on.
-void TestCompute::dragsGoOnFromWhatIsShown() {
+/// A drag continues from the visible place of the pin; the pin's later motions are replaced, with a notice,
+/// and restored by undo. Other pins continue.
+void TestCompute::dragsContinueFromTheShownPose() {
     open();
     m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
@@ -469,8 +471,8 @@ void TestCompute::nudgesMerge() {
     QVERIFY((m_session->gestures().pins()[1].centre - Vec3(204, 80, 0)).norm() < 1e-9);
 }
 
-/// One pin dragged through the other cannot arrive without a fold: by the flow, since an elastic shape may
-/// snap past it.
+/// One pin dragged through the other cannot arrive without a fold. The flow is used, since an elastic shape
+/// may snap past it.
 void TestCompute::foldsStopTheHandle() {
     open();
     changeSetting(m_session->document(), "material.memory", 0);
@@ -512,7 +514,7 @@ void TestCompute::cancelGoesBack_data() {
     QTest::newRow("merged with the step before") << QStringLiteral("vertices");
 }
 
-/// To the mesh and the setting that were there, however the undo steps lie.
+/// Cancelling restores the previous mesh and setting, wherever the undo stack is.
 void TestCompute::cancelGoesBack() {
     QFETCH(QString, key);
     open();
@@ -535,7 +537,7 @@ void TestCompute::cancelGoesBack() {
     QCOMPARE(m_session->document().domain().vertices, 401);
 }
 
-/// There is nothing to go back to: the document stays, and any change makes a mesh.
+/// There is no previous mesh to restore: the document stays, and any change makes a mesh.
 void TestCompute::firstMeshIsCancelled() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     auto project = copyOf(*file.project);
@@ -552,7 +554,7 @@ void TestCompute::firstMeshIsCancelled() {
     QCOMPARE(problems.last().first().toString(), QString());  // taken back
 }
 
-/// A change before the first motion is complete leaves the mesh as it is: what is cancelled is the motion.
+/// A change before the first motion is complete leaves the mesh as it is: cancelling affects only the motion.
 void TestCompute::firstMotionIsCancelled() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     auto project = copyOf(*file.project);
@@ -600,7 +602,7 @@ void TestCompute::selectionStaysWithItsPins() {
     QVERIFY(m_session->selection().isEmpty() && changes.size() == 1);
 }
 
-void TestCompute::whatIsGoneIsNotSelected() {
+void TestCompute::removedHandlesAreNotSelected() {
     open();
     m_session->addPin({40, 80, 0});
     const int last = m_session->addPin({200, 80, 0});
@@ -612,8 +614,8 @@ void TestCompute::whatIsGoneIsNotSelected() {
     QVERIFY(settle(*m_session));
 }
 
-/// It stands where the motion ends so far, and goes on when more of it is there.
-void TestCompute::playbackWaitsForWhatIsComputed() {
+/// Playback waits at the end of the computed part of the motion, and continues when more of it is available.
+void TestCompute::playbackWaitsForComputedFrames() {
     Playback playback;
     playback.setEnd(0.2);
     playback.setTime(0);
@@ -626,7 +628,7 @@ void TestCompute::playbackWaitsForWhatIsComputed() {
     playback.setReady(0.2);
     QVERIFY(QTest::qWaitFor([&] { return !playback.isPlaying(); }, 20000));
     QCOMPARE(playback.time(), 0.2);
-    // Again and again, if it loops.
+    // It repeats if it loops.
     playback.setLoops(true);
     playback.setPlaying(true);
     int ends = 0;
@@ -637,7 +639,7 @@ void TestCompute::playbackWaitsForWhatIsComputed() {
     QVERIFY(playback.isPlaying());
 }
 
-/// A question is answered when nothing else is wanted, and not lost.
+/// A query is answered when no other request is pending, and is not lost.
 void TestCompute::velocitiesWaitForRequests() {
     open();
     m_session->addPin({40, 80, 0});
@@ -712,7 +714,7 @@ void TestCompute::openMoved() {
     QCOMPARE(m_session->playback().time(), 1.0);
 }
 
-/// What a view that asks for everything sees of the document before; empty if nothing.
+/// Returns the data of the previous document that a view can still get; empty if there is none.
 template <int Dim>
 QString TestCompute::whatIsLeft(const FramePtr& last) const {
     const Document& document = m_session->document();
@@ -741,8 +743,8 @@ void TestCompute::nothingOutlivesItsDocument_data() {
                     << dimension << closes << state;
 }
 
-/// Whatever is told while another document, or none, takes the place of one with a motion, and in whatever
-/// order: at no time is anything of the last one to be seen.
+/// Another document, or none, replaces one with a motion, with signals in any order: at no time is any data
+/// of the last one visible.
 void TestCompute::nothingOutlivesItsDocument() {
     QFETCH(int, dimension);
     QFETCH(bool, closes);
@@ -793,7 +795,7 @@ void TestCompute::nothingOutlivesItsDocument() {
     QCOMPARE(m_session->motion().frame() == nullptr, closes);
 }
 
-/// Nothing is computed for nobody, and nothing is told of it.
+/// Nothing is computed and no signal is emitted after closing.
 void TestCompute::closingEndsTheWork() {
     open();
     m_session->addPin({40, 80, 0});

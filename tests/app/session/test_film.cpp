@@ -35,8 +35,8 @@ class TestFilm : public QObject {
     void recordsByTheClockOfTheFilm();
     void dragsLeaveOthersAlone_data() { dimensions(); }
     void dragsLeaveOthersAlone();
-    void othersAreSeenGoingOn_data() { dimensions(); }
-    void othersAreSeenGoingOn();
+    void otherPinsMoveDuringARecording_data() { dimensions(); }
+    void otherPinsMoveDuringARecording();
     void playsAtItsSpeed();
     void shortBarsKeepTheirPlace();
     void givenUpRecordingLeavesNothing();
@@ -57,10 +57,10 @@ class TestFilm : public QObject {
     void playingShowsTheShapeAlone_data() { dimensions(); }
     void playingShowsTheShapeAlone();
     void rulerIsScrubbed();
-    void filmsBeginWithWhatMoves();
+    void movingPinsAreInViewAtFirst();
     void manyPinsScroll();
-    void onionSkinShowsWhatWasAndComes();
-    void onionSkinIsOfWhatIsDrawn();
+    void onionSkinShowsPastAndFuture();
+    void onionSkinLeavesOutTheMargin();
     void onionSkinOfASolid();
     void influenceOfPins_data() { dimensions(); }
     void influenceOfPins();
@@ -137,7 +137,7 @@ std::size_t TestFilm::motions(int handle) {
     return designOf(project()).handles[handle].motions.size();
 }
 
-/// Ten moves, a rest of half a second if there is a pause, and back half the way.
+/// Makes ten moves, a rest of half a second if there is a pause, and goes back half of the distance.
 void TestFilm::record(int handle, Qt::KeyboardModifiers modifiers, int pause) {
     const QPoint from = pin(handle);
     QTest::mouseMove(&canvas(), from);
@@ -149,8 +149,8 @@ void TestFilm::record(int handle, Qt::KeyboardModifiers modifiers, int pause) {
     QVERIFY(settle(session()));
 }
 
-/// The recording lasts as long as the events tell, its rest among them, begins at the time that is shown, and
-/// the film goes back to there.
+/// The recording lasts as long as the events, including the rest, begins at the shown time, and the film
+/// returns to that time.
 void TestFilm::recordsWhatTheHandDoes() {
     QFETCH(int, dimension);
     open(dimension);
@@ -196,8 +196,8 @@ void TestFilm::othersGoOnWhileOneIsRecorded() {
     QCOMPARE(timeOf(designOf(project()), 1, 0).start, 0.0);
 }
 
-/// A plain drag at an earlier time: only what the dragged handle did later is replaced, and that is told. The
-/// poses before it are the same, the others keep their times, the film its length.
+/// A plain drag at an earlier time replaces only the later motions of the dragged handle, with a notice. The
+/// poses before it are the same, the others keep their times, and the film its length.
 void TestFilm::dragsLeaveOthersAlone() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -232,7 +232,7 @@ void TestFilm::dragsLeaveOthersAlone() {
     QVERIFY((poseAt(3) - later).cwiseAbs().maxCoeff() > 0.01);
     session().document().undoStack()->undo();
     QVERIFY(session().document().project() == before && settle(session()));
-    // What did nothing later replaces nothing, and arrow keys go on with their step.
+    // A drag that replaces nothing gives no notice, and arrow keys continue its step.
     told.clear();
     dragAt(3, 1);
     QCOMPARE(timeOf(designOf(project()), 1, 1), (MotionTime{3, 4}));
@@ -250,7 +250,7 @@ void TestFilm::dragsLeaveOthersAlone() {
     QCOMPARE(timeOf(designOf(project()), 0, 0), (MotionTime{0, 1}));
 }
 
-/// At half the speed the same deed takes half as much of the film.
+/// At half the speed the same gesture takes half as much of the film.
 void TestFilm::recordsByTheClockOfTheFilm() {
     open(2);
     record(1, Qt::ControlModifier, 400);
@@ -266,9 +266,9 @@ void TestFilm::recordsByTheClockOfTheFilm() {
              qPrintable(QString::number(endOf(project()) / whole)));
 }
 
-/// While the hand rests in a recording the other pin goes its way, and the time is shown; given up, all is as
-/// before.
-void TestFilm::othersAreSeenGoingOn() {
+/// While the pointer rests in a recording the other pin moves on, and the time is shown; giving up restores
+/// everything.
+void TestFilm::otherPinsMoveDuringARecording() {
     QFETCH(int, dimension);
     openFilm(dimension);
     session().playback().setTime(0);
@@ -290,7 +290,7 @@ void TestFilm::othersAreSeenGoingOn() {
     QVERIFY(std::abs(other() - begin) < 1e-9);
 }
 
-/// A hundred times as fast, what takes longer than anybody waits is over at once.
+/// At a hundred times the speed even a long film is over at once.
 void TestFilm::playsAtItsSpeed() {
     Playback playback;
     playback.setEnd(1e6);
@@ -301,7 +301,7 @@ void TestFilm::playsAtItsSpeed() {
     QVERIFY(QTest::qWaitFor([&] { return playback.time() > 60; }, 20000));
 }
 
-/// A bar shorter than the shortest: its start can only go away from its end.
+/// The start of a bar shorter than the minimum can only be moved away from its end.
 void TestFilm::shortBarsKeepTheirPlace() {
     openFilm(2);
     const auto next = copyOf(project());
@@ -351,7 +351,7 @@ void TestFilm::dragBar(int handle, int motion, double fromX, double by) {
     QVERIFY(settle(session()));
 }
 
-/// In its middle a bar moves, at its ends it becomes longer or shorter; the shape follows.
+/// A bar is moved by its middle and made longer or shorter by its ends; the shape follows.
 void TestFilm::barsAreDragged() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -372,7 +372,7 @@ void TestFilm::barsAreDragged() {
     time = timeOf(designOf(project()), 0, 0);
     QVERIFY(std::abs(time.start - 0.5) <= 3 * pixel && std::abs(time.end - 1.7) <= 2 * pixel);
     QCOMPARE(session().selection().handles(), std::vector<int>{0});
-    // Both ends of its time are where the handle begins and ends to move.
+    // Both ends of its interval are where the handle begins and ends to move.
     session().playback().setTime(time.start - 0.2);
     const auto still = session().motion().frame();
     session().playback().setTime(0);
@@ -386,7 +386,7 @@ void TestFilm::barsAreDragged() {
     QVERIFY(moved() > 0.01);
 }
 
-/// The ends of the line say from when until when a pin holds, which is never shorter than its motions.
+/// The ends of the line give the times between which a pin holds, never shorter than its motions.
 void TestFilm::holdsAreDragged() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -416,7 +416,7 @@ void TestFilm::holdsAreDragged() {
     QVERIFY(!whole->isEnabled());
     session().document().undoStack()->undo();
     QCOMPARE(hold(), (MotionTime{1, 2}));
-    // One that is set at the end holds there alone, and its line is a stop that goes only one way.
+    // A pin set at the end holds only there, and its line is a stop that can be dragged one way only.
     const auto late = copyOf(project());
     designOf(*late) = withHold(designOf(*late), 1, {0, 4}, endOf(*late));
     designOf(*late).handles[1].motions.clear();
@@ -471,8 +471,8 @@ void TestFilm::barsByKeyboard() {
     QCOMPARE(motions(0), std::size_t(1));
 }
 
-/// A click with Shift or Ctrl adds and takes away; what is chosen is moved, scaled, eased and removed in one
-/// step each, without what is locked.
+/// A click with Shift or Ctrl adds and removes; the selection is moved, scaled, eased and removed in one step
+/// each, without locked bars.
 void TestFilm::severalBarsGoTogether() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -582,7 +582,8 @@ QString ghostName(ShapeSession& session) {
 
 }  // namespace
 
-/// A pin that does not hold is a faint mark, to be picked, that says since or until when.
+/// A pin that does not hold is a faint mark that can be picked and gives the time since or until which it
+/// holds.
 void TestFilm::ghostsTellWhenTheyHold() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -616,7 +617,7 @@ void TestFilm::ghostsTellWhenTheyHold() {
     QVERIFY(place->text().startsWith(QStringLiteral("at ")));
 }
 
-/// The second pin stands until 1: its disc is there, not while the film plays, and again.
+/// The second pin holds until 1: its disc is drawn then, except while the film plays.
 void TestFilm::playingShowsTheShapeAlone() {
     QFETCH(int, dimension);
     openFilm(dimension);
@@ -654,7 +655,7 @@ void TestFilm::rulerIsScrubbed() {
     QTest::mouseRelease(area, Qt::LeftButton, {}, at(2.5));
     QTest::mouseMove(area, at(1));
     QVERIFY(std::abs(session().playback().time() - 2.5) < 4 / span());
-    // A click on the slider below goes to the same time.
+    // A click on the slider below shows the same time.
     QSlider* slider = m_window->window().findChild<TimeStrip*>()->slider();
     for (const double time : {0.0, 1.0, 2.3, 4.0}) {
         const QPoint below = slider->mapFromGlobal(area->mapToGlobal(at(time)));
@@ -663,8 +664,8 @@ void TestFilm::rulerIsScrubbed() {
     }
 }
 
-/// Of a film that is opened, what moves is in view, however many pins stand before it.
-void TestFilm::filmsBeginWithWhatMoves() {
+/// The moving pins are in view when a film is opened, however many others come before them.
+void TestFilm::movingPinsAreInViewAtFirst() {
     open(2);
     for (int i = 0; i < 10; ++i) session().addPin({60.0 + 10 * i, 80, 0});
     const auto next = copyOf(project());
@@ -683,7 +684,7 @@ void TestFilm::filmsBeginWithWhatMoves() {
     QTRY_VERIFY(isInView());
 }
 
-/// A pin that is chosen on the shape has its row in view.
+/// A pin that is selected on the shape has its row in view.
 void TestFilm::manyPinsScroll() {
     openFilm(2);
     for (int i = 0; i < 12; ++i) session().addPin({60.0 + 10 * i, 80, 0});
@@ -695,8 +696,8 @@ void TestFilm::manyPinsScroll() {
     QCOMPARE(tracks().verticalScrollBar()->value(), tracks().verticalScrollBar()->maximum());
 }
 
-/// Where the shape was the canvas is tinted, in another colour where it will be; not while it plays.
-void TestFilm::onionSkinShowsWhatWasAndComes() {
+/// The canvas is tinted where the shape was, and in another colour where it will be; not while it plays.
+void TestFilm::onionSkinShowsPastAndFuture() {
     openFilm(2);
     const auto next = copyOf(project());  // the whole bar goes down, evenly
     for (auto& handle : designOf(*next).handles) {
@@ -712,7 +713,7 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
         const QPoint p = canvas.toWidget({120, y}).toPoint();
         return QColor(canvas.grab().toImage().pixel(p));
     };
-    // At rest the bar lies from 60 to 100; now from 90 to 130; 0.4 s before and after 6 higher and lower.
+    // At rest the bar is from 60 to 100, now from 90 to 130; 0.4 s before and after, 6 higher and lower.
     const QColor above = at(87), below = at(133);
     m_window->window().actions().onionSkin->trigger();
     const QColor past = at(87), future = at(133);
@@ -726,8 +727,8 @@ void TestFilm::onionSkinShowsWhatWasAndComes() {
     QCOMPARE(at(50), before);  // nothing was before the beginning
 }
 
-/// Not of the transparent margin that bends with it.
-void TestFilm::onionSkinIsOfWhatIsDrawn() {
+/// The onion skin leaves out the transparent margin that bends with the picture.
+void TestFilm::onionSkinLeavesOutTheMargin() {
     openFilm(2);
     const auto next = copyOf(project());
     domainOf(*next).alpha.margin = 16;
@@ -749,7 +750,7 @@ void TestFilm::onionSkinIsOfWhatIsDrawn() {
         const QPoint p = canvas.toWidget({x, y}).toPoint();
         return without.pixel(p) != with.pixel(p);
     };
-    // The bar lies from 90 to 130 now, 18 higher at the farthest; the mesh begins 16 above that.
+    // The bar is from 90 to 130 now, 18 higher at the farthest; the mesh begins 16 above that.
     for (const double x : {60.0, 120.0, 180.0}) {
         QVERIFY(isTinted(x, 87) && isTinted(x, 75) && isTinted(x, 145));
         for (const double y : {58.0, 62.0, 66.0, 154.0, 160.0}) QVERIFY(!isTinted(x, y));
@@ -788,7 +789,8 @@ void TestFilm::onionSkinOfASolid() {
 
 namespace {
 
-/// In percent, of the vertices of the frame that is shown: the least, the largest, and at a handle.
+/// Returns the influence in percent over the vertices of the shown frame: the least, the largest, and that at
+/// a handle.
 template <int Dim>
 std::array<double, 3> influence(ShapeSession& session, int handle) {
     const Eigen::MatrixXd field = session.motion().influence();
@@ -804,8 +806,8 @@ std::array<double, 3> influence(ShapeSession& session, int handle) {
 
 }  // namespace
 
-/// What the selected pin takes along: all of it where it is, nothing where the other one holds; with both
-/// selected the whole shape goes along.
+/// The selected pin has full influence at its place and none where the other one holds; with both selected
+/// the whole shape follows.
 void TestFilm::influenceOfPins() {
     QFETCH(int, dimension);
     open(dimension);
@@ -833,7 +835,7 @@ void TestFilm::influenceOfPins() {
     QCOMPARE(of(0)[0], -1.0);
     const std::vector<double> none = shownValues(session().motion(), Measure::Influence);
     QVERIFY(std::ranges::all_of(none, [](double value) { return value == 0; }));
-    // The arrows still tell how it moves.
+    // The arrows still show its motion.
     m_window->window().actions().showMap->setChecked(false);
     m_window->window().actions().showArrows->setChecked(true);
     QVERIFY(QTest::qWaitFor([&] { return session().motion().hasVelocity(); }, 20000));

@@ -20,7 +20,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Gestures that meet something else: a mesh that is being made, a motion that is being computed, undo,
+/// Gestures interrupted by other events: a mesh that is being made, a motion that is being computed, undo,
 /// another file.
 class TestGestures : public QObject {
     Q_OBJECT
@@ -96,8 +96,8 @@ Points2 TestGestures::poseOf(const Project& project) const {
     return deformer.state().points;
 }
 
-/// However early the drag begins: while the request waits, while it is being meshed, or later.
-/// The waits are the input: each begins the drag at another moment of the computation.
+/// The drag may begin at any time: while the request waits, during meshing, or later. The waits are the
+/// input: each begins the drag at another moment of the computation.
 void TestGestures::newPinIsThereAfterACancelledDrag() {
     open(6000);
     for (const int wait : {0, 1, 5, 20, 60}) {
@@ -187,7 +187,7 @@ void TestGestures::anotherFileEndsADrag() {
     QVERIFY(follows());
 }
 
-/// A pin within a part that is held cannot move; that is no reason for others not to.
+/// A pin within a held part cannot move; others still can.
 void TestGestures::refusedDragsLeaveOthersAlone() {
     open();
     m_session->document().changeDesign(
@@ -224,7 +224,7 @@ void TestGestures::dragsNeedNotWaitForTheMotion() {
     QVERIFY(settled());
 }
 
-/// A hand that moves more often than a screen shows, and rests: the shape comes to where it is.
+/// A pointer that moves more often than the screen is drawn, and then rests, has the shape at its last place.
 void TestGestures::lastOfManySamplesIsFollowed() {
     open();
     begin(1);
@@ -275,7 +275,7 @@ void TestGestures::handlesThatAreGoneCanBeRemoved() {
     }
 }
 
-/// At a time before the end, too.
+/// A pin is placed where it was clicked, even at a time before the end.
 void TestGestures::pinSitsWhereItWasClicked() {
     open();
     drag(1, {0, 30});
@@ -295,7 +295,7 @@ void TestGestures::clicksBesideTheShapeAreTold() {
     QCOMPARE(notices.size(), 1);
 }
 
-/// The end that fixed steps divide is the project's, however often it grew.
+/// The end that fixed steps divide is the project's, however often it was extended.
 void TestGestures::fixedStepsGoOnAsInTheFile() {
     open();
     changeSetting(m_session->document(), "integration.method", static_cast<double>(Method::RungeKutta4));
@@ -318,7 +318,7 @@ void TestGestures::newPinDoesNotDim() {
     QVERIFY(settled());
 }
 
-/// After the motion, as part of it, and taken back in one step; the shape is nearer to its rest then.
+/// Settling follows the motion as part of it and is undone in one step; the shape is nearer to its rest then.
 void TestGestures::settlingIsAStepOfItsOwn() {
     open();
     QVERIFY(!canSettle(m_session->document()));
@@ -345,7 +345,7 @@ void TestGestures::settlingIsAStepOfItsOwn() {
     QCOMPARE(m_session->playback().end(), end);
 }
 
-/// The last frame of a drag stands for the end of the motion while that is computed, and for nothing else.
+/// The last frame of a drag replaces the end of the motion while that is computed, and no other time.
 void TestGestures::anotherTimeIsNotThatOfTheDrag() {
     open();
     drag(1, {0, 20});
@@ -362,7 +362,7 @@ void TestGestures::anotherTimeIsNotThatOfTheDrag() {
     QVERIFY(settled());
 }
 
-/// However far the pointer goes on, until the shape can follow again.
+/// A refused handle waits, however far the pointer moves, until the shape can follow again.
 void TestGestures::refusedHandlesWaitForTheShape() {
     DragGesture drag({0}, Grip{});
     const auto follow = [&](int sample, double x, bool stopped) {
@@ -384,7 +384,7 @@ void TestGestures::refusedHandlesWaitForTheShape() {
     follow(third, 2, false);
     QCOMPARE(drag.amount().x(), 2.0);
     QVERIFY(second < third);
-    // What lies between the last place that was reached and the refusal has never been reached.
+    // Places between the last reached one and the refusal have never been reached.
     drag = DragGesture({0}, Grip{});
     for (const Amount& amount : {Amount(10, 0, 0), Amount(0, 20, 0), Amount(30, 0, 0)}) drag.add(amount);
     follow(3, 4, true);

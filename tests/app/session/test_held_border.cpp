@@ -1,5 +1,5 @@
-// The border of a photograph that stays where it is, or slides along itself: vertex by vertex while a pin is
-// dragged, when its motion is computed, and while the shape settles; and the pixels of what is written.
+// The border of a photograph is fixed or slides along itself: vertex by vertex while a pin is dragged, when
+// its motion is computed, and while the shape settles; and in the pixels of the exported file.
 
 #include <QtTest>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kWidth = 300, kHeight = 200;
 
-/// Red tells the row, green the column.
+/// Returns a picture in which red encodes the row and green the column.
 QImage photograph() {
     QImage image(kWidth, kHeight, QImage::Format_RGB888);
     for (int y = 0; y < kHeight; ++y)
@@ -33,7 +33,7 @@ bool onSide(double coordinate, double size) {
     return coordinate == 0 || coordinate == size;
 }
 
-/// How far what lies on the sides has left them, how far it went along them, and how far the corners went.
+/// The largest distance of border vertices from their sides, along them, and of the corners.
 struct Way {
     double off = 0, along = 0, corners = 0;
 };
@@ -93,8 +93,8 @@ void TestHeldBorder::open(Border border) {
     QVERIFY(settle(*m_session));
 }
 
-/// By an eighth of the picture; the number of live frames in which the border was not where it is to be, or
-/// had not gone along as it may by the end.
+/// Drags by an eighth of the picture; returns the number of live frames in which the border was off its
+/// place, or had not slid by the end although it may.
 int TestHeldBorder::dragMiddle() {
     const int pin = m_session->addPin({140, 90, 0});
     m_session->selection().set({pin});
@@ -130,7 +130,7 @@ void TestHeldBorder::pixelsAreThere(const QString& file, Border border) {
     QVERIFY(!written.hasAlphaChannel());
     const auto compare = [&](int x, int y) {
         const QRgb a = written.pixel(x, y), b = source.pixel(x, y);
-        // The centres of the pixels lie half a pixel inside, where the shape is bent a little.
+        // The centres of the pixels are half a pixel inside, where the shape is bent a little.
         const bool row = y == 0 || y == kHeight - 1, column = x == 0 || x == kWidth - 1;
         if (border == Border::Fixed || row)
             QVERIFY2(std::abs(qRed(a) - qRed(b)) <= 2, qPrintable(QString("%1 %2").arg(x).arg(y)));
@@ -139,7 +139,7 @@ void TestHeldBorder::pixelsAreThere(const QString& file, Border border) {
     };
     for (int x = 0; x < kWidth; ++x) compare(x, 0), compare(x, kHeight - 1);
     for (int y = 0; y < kHeight; ++y) compare(0, y), compare(kWidth - 1, y);
-    // What is inside went along with the pin.
+    // The inner vertices moved with the pin.
     QVERIFY((m_session->gestures().pins()[0].centre - Vec3(175, 115, 0)).norm() < 0.3);
     const QRgb middle = written.pixel(175, 115);
     QVERIFY(std::abs(qRed(middle) - (20 + 90)) <= 3 &&
@@ -189,7 +189,7 @@ void TestHeldBorder::borderIsHeld() {
     pixelsAreThere(run, border);
 }
 
-/// A pin on the border is the user's word: it moves, and the rest of the border stays.
+/// A pin that the user sets on the border moves, and the rest of the border stays.
 void TestHeldBorder::handlesOnTheBorderAreLeftAlone() {
     open(Border::Fixed);
     const int pin = m_session->addPin({150, 0, 0});
@@ -217,7 +217,7 @@ void TestHeldBorder::partsOnTheBorderAreLeftAlone_data() {
     QTest::newRow("vertices") << true;
 }
 
-/// The left end as a handle goes as a whole, the border from there on stays.
+/// The left end as a handle moves as a whole, and the border beyond it stays.
 void TestHeldBorder::partsOnTheBorderAreLeftAlone() {
     QFETCH(bool, byNumber);
     open(Border::Fixed);

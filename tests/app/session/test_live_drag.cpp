@@ -1,4 +1,4 @@
-// A drag's preview and what follows the release.
+// The preview of a drag, and the shape after its release.
 
 #include <QtTest>
 
@@ -72,12 +72,13 @@ Project barOf(const QTemporaryDir& folder, int slices, double phi) {
     return project;
 }
 
-/// Where a hand leads the upper end: up to a fifth of the length, to the side.
+/// Returns the amount by which the pointer moves the upper end: up to a fifth of the length, to the side.
 Amount handAt(int i) {
     return {0.2 * i, 0.05 * i, -0.01 * i};
 }
 
-/// Of the bar's length, the largest distance of the preview from the flow with the shape's own material.
+/// Returns the largest distance of the preview from the flow with the shape's own material, relative to the
+/// bar's length.
 double softening(const Shape<3>& shape) {
     LiveDrag<3> preview(shape, ends());
     preview.begin({1}, {}, shape.rest->points);
@@ -91,8 +92,9 @@ double softening(const Shape<3>& shape) {
     return (preview.pose() - exact.pose()).colwise().norm().maxCoeff() / kLength;
 }
 
-/// Whether the pose is that of a shape that rode in a body, or that of its own flow; with its own φ rather
-/// than with another. The session may have left samples out, which makes little of a difference.
+/// Returns whether the pose is that of the shape embedded in its body, with its own φ rather than with the
+/// other, or, unless `rides`, that of its own flow. The session may have skipped samples, which makes little
+/// difference.
 bool nearer(const Points3& pose, const Shape<3>& shape, bool rides, double otherPhi) {
     const auto distance = [&](std::shared_ptr<const CoarseBody<3>> body) {
         LiveDrag<3> drag(shape, ends(), std::move(body));
@@ -108,7 +110,7 @@ bool nearer(const Points3& pose, const Shape<3>& shape, bool rides, double other
 
 }  // namespace
 
-/// Enough to last, and so little that it is seen at second sight only.
+/// The softening must be enough to keep the drag going, and hardly visible.
 void TestLiveDrag::largeShapesNearEquiaArePreviewedSofter() {
     const double off = softening(shapeOf(500, phi::kEquia));
     QVERIFY2(off > 1e-4 && off < 0.02, qPrintable(QString::number(off)));
@@ -119,8 +121,8 @@ void TestLiveDrag::smallShapesArePreviewedAsTheyAre() {
     QCOMPARE(softening(shapeOf(500, phi::kMetr)), 0.0);
 }
 
-/// While the upper end is led the lower one turns and then moves by itself: it is exactly where its motions
-/// have it, and the preview is near the motion that the film will have.
+/// While the upper end is dragged the lower one rotates and then moves by itself: it is exactly where its
+/// motions have it, and the preview is near the later motion of the film.
 void TestLiveDrag::othersGoAlongWithARecording() {
     constexpr double kBegin = 0.25, kEnd = 1;
     constexpr int kSamples = 15;
@@ -154,13 +156,13 @@ void TestLiveDrag::othersGoAlongWithARecording() {
     QCOMPARE(exact.advance(kEnd).outcome, Outcome::Done);
     const double off = (preview.pose() - exact.state().points).colwise().norm().maxCoeff() / kLength;
     QVERIFY2(off < 2e-3, qPrintable(QString::number(off)));
-    // After the end of their motions they stand still.
+    // After the end of their motions they are still.
     const Points3 before = preview.pose();
     preview.follow(0.5 * handAt(kSamples), kEnd + 1);
     QVERIFY((preview.pose() - before).cwiseAbs().maxCoeff() < 1e-9 * kLength);
 }
 
-/// While the motion of a file is still being computed: a press on what is seen so far waits for no analysis.
+/// A press on the visible part, while the motion of a file is still being computed, waits for no analysis.
 void TestLiveDrag::readyBeforeTheMotionIsKnown() {
     const QTemporaryDir folder;
     Project project = barOf(folder, 1000, phi::kMetr);
@@ -180,16 +182,16 @@ void TestLiveDrag::readyBeforeTheMotionIsKnown() {
     QVERIFY(engine->isReadyForDrag());
 }
 
-/// What two runs may differ by whose times differ by rounding, of the bar's length: `part` of the tolerance τ
-/// of a velocity field. Other times move the shape by rounding, of which a factor in single precision makes
-/// roundings of its own: what iterations leave of a field's error, up to τ, is then another error. Measured
+/// The admissible difference of two runs whose times differ by rounding, relative to the bar's length: `part`
+/// of the tolerance τ of a velocity field. Other times move the shape by rounding, which a factor in single
+/// precision amplifies: the remaining error of a field's iterations, up to τ, is then another one. Measured
 /// with a Deformer whose clock is 0.7 and 0.3 times as fast, the greater of both, for τ = 5e-5, 1e-5, 1e-6,
 /// 1e-7: 300 slices 8e-9, 1e-9, 3e-10, 2e-12; 1000, whose cells are as flat as 1 : 125, 3e-7, 9e-8, 2e-9,
-/// 3e-10. So it goes with τ. With factors in double precision it is 3e-12, whatever τ is. First guesses have
-/// no part in it: without them it is 5e-8 and 9e-7. With many digits the control of steps sees the
-/// difference, too, and takes other steps: then both are within the integration's own error, and at a
-/// tolerance of 1e-7 of the size up to 2e-8 of it apart. Near EQUIA
-/// factors are double and every field has its own: what counts there is the condition.
+/// 3e-10. So the difference scales with τ. With factors in double precision it is 3e-12, whatever τ is. First
+/// guesses do not contribute: without them it is 5e-8 and 9e-7. With many digits the step control is
+/// affected, too, and takes other steps: then both are within the integration's own error, and at a tolerance
+/// of 1e-7 of the size up to 2e-8 of it apart. Near EQUIA factors are double and every field has its own: the
+/// condition is decisive there.
 void TestLiveDrag::releasedShapeIsTheCommandLines_data() {
     QTest::addColumn<double>("phi");
     QTest::addColumn<int>("slices");
@@ -202,8 +204,9 @@ void TestLiveDrag::releasedShapeIsTheCommandLines_data() {
     QTest::newRow("METR, riding, many digits") << phi::kMetr << 1000 << 1e-7 << 1.0 << phi::kEquia;
 }
 
-/// After each of two drags, the second of which goes on with the solver of the first. The first has the bits
-/// of a run anew; by the second the clock of the first has changed, which leaves rounding (MotionPass).
+/// The shape is compared after each of two drags, the second of which continues with the solver of the first.
+/// The first has the bits of a new run; by the second the clock of the first has changed, which leaves
+/// rounding (MotionPass).
 void TestLiveDrag::releasedShapeIsTheCommandLines() {
     QFETCH(double, phi);
     QFETCH(int, slices);

@@ -32,14 +32,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// φ of a gray, told again: black, a third, two thirds and white are the named energies.
+/// Computes φ of a gray value independently: black, a third, two thirds and white are the named energies.
 double phiOfGray(double gray) {
     const double stops[] = {std::atan(1.0 / 512), std::atan(0.5), kPi / 2, kPi - std::atan(0.5)};
     const int i = std::min(2, static_cast<int>(3 * gray));
     return stops[i] + (3 * gray - i) * (stops[i + 1] - stops[i]);
 }
 
-/// And back.
+/// Computes the gray value of φ.
 double grayOfPhi(double phi) {
     double low = 0, high = 1;
     for (int i = 0; i < 50; ++i) (phiOfGray((low + high) / 2) < phi ? low : high) = (low + high) / 2;
@@ -52,12 +52,12 @@ Vec2 middleOf(const SimplicialMesh<2>& mesh, int cell) {
     return sum;
 }
 
-/// A picture's own pixels, by another program's reader.
+/// Returns a pixel of a picture as another program's reader gives it.
 double grayAt(const QImage& image, const Vec2& p) {
     return QColor(image.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()))).redF();
 }
 
-/// From black at the left to white at the right, as paint programs write it.
+/// Writes a ramp from black at the left to white at the right, as paint programs do.
 QString writeRamp(const QTemporaryDir& folder, int width = 240, int height = 160) {
     QImage ramp(width, height, QImage::Format_Grayscale8);
     for (int y = 0; y < height; ++y)
@@ -85,7 +85,7 @@ MaterialRegion& addRegion(Project& project, const Box<3>& box) {
 
 }  // namespace
 
-/// The material as pictures, in and out.
+/// The material is read from pictures and written to them.
 class TestMaterialPictures : public QObject {
     Q_OBJECT
   private slots:
@@ -102,7 +102,7 @@ class TestMaterialPictures : public QObject {
     void brokenPicturesAreTold();
 };
 
-/// Whatever its size, the picture lies over the box; every cell has the mean of its pixels.
+/// The picture covers the bounding box, whatever its size; every cell has the mean of its pixels.
 void TestMaterialPictures::rampsBecomePhi() {
     QTemporaryDir folder;
     for (const QSize& size : {QSize(240, 160), QSize(24, 16), QSize(1200, 800)}) {
@@ -119,7 +119,7 @@ void TestMaterialPictures::rampsBecomePhi() {
     }
 }
 
-/// What is written is read again as it was; a reader of another make finds the numbers that are promised.
+/// Written pictures are read back unchanged; an independent reader finds the documented numbers.
 void TestMaterialPictures::everythingComesBack() {
     QTemporaryDir folder;
     Project project;
@@ -213,7 +213,8 @@ void TestMaterialPictures::transparentLeavesWhatIsThere() {
     }
 }
 
-/// Saved beside the pictures, moved with them, and refused as outputs of a run.
+/// The project names its pictures relative to its folder, follows them when moved, and refuses them as
+/// outputs of a run.
 void TestMaterialPictures::projectsNameTheirPictures() {
     QTemporaryDir folder;
     Project project = stripProject(folder);
@@ -253,7 +254,7 @@ void TestMaterialPictures::hiddenRegionsChangeNothing() {
     QVERIFY(materialOf(project).phi == plain.phi && materialOf(project).anisotropy.empty());
 }
 
-/// A mesh that was written with its values gives them back.
+/// The values are read back from a mesh file that was written with them.
 void TestMaterialPictures::cellsComeFromMeshFiles() {
     QTemporaryDir folder;
     for (const char* name : {"cells.vtu", "cells.vtk"}) {
@@ -302,7 +303,7 @@ void TestMaterialPictures::commandLineWritesAndPaints() {
         QVERIFY(std::abs(gray - ramp.pixelColor(x, 80).redF()) < 0.08);  // a cell's width
     }
     QVERIFY(QFile::exists(folder.filePath("stiff.tif")));
-    // A second time the same comes out, and one's own pictures are kept.
+    // Exporting again gives the same pictures and keeps the user's own.
     QCOMPARE(
         runCli(folder.path(), {"run", "bar.wend", "--paint-phi", "back.png", "--phi-picture", "again.png"})
             .code,
@@ -317,7 +318,8 @@ void TestMaterialPictures::commandLineWritesAndPaints() {
     QCOMPARE(runCli(folder.path(), {"run", "bar.wend", "--phi-picture", "back.obj"}).code, 3);
 }
 
-/// By menu and file dialog; the layer has an eye, is dragged to its place and undone step by step.
+/// The menu and the file dialog import a picture; the layer can be hidden, moved in the list and undone step
+/// by step.
 void TestMaterialPictures::windowBringsInAndWrites() {
     QTemporaryDir folder;
     SolidFixture f;
@@ -356,13 +358,13 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     f.window().actions().undo->trigger();
     QVERIFY(settle(session));
     QVERIFY(phiAt({200, 80}) > 2);
-    // Saved anew in the paint program, and read again.
+    // The paint program saves the picture again, and it is reloaded.
     list.setCurrentRow(0);
     QImage(QImage(ramp).mirrored(true, false)).save(ramp);
     f.window().properties().layers().findChild<QToolButton*>("layerReadAgain")->click();
     QVERIFY(settle(session));
     QVERIFY(phiAt({40, 80}) > 2 && phiAt({200, 80}) < 0.4);
-    // Dragged below another layer it no longer wins.
+    // Below another layer it is covered.
     MaterialRegion all;
     all.shape = Box<3>{{0, 0, 0}, {240, 160, 0}};
     all.phi = phi::kAkvf;

@@ -1,4 +1,4 @@
-// What is said of meshes that would bend badly, and what comes out of those whose vertices are doubled.
+// Warnings about meshes that would bend badly, and the results of meshes whose vertices are doubled.
 
 #include <QtTest>
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ namespace {
 
 const Surface kBar = test::box({0, 0, 0}, {3, 1, 1}, 4);
 
-/// Every cell with vertices of its own.
+/// Gives every cell its own vertices.
 template <std::size_t N>
 void tearApart(Eigen::Matrix3Xd& points, std::vector<std::array<int, N>>& cells) {
     Eigen::Matrix3Xd torn(3, static_cast<Eigen::Index>(cells.size() * N));
@@ -49,8 +49,8 @@ class TestMeshTrust : public QObject {
 
   private slots:
     void initTestCase() { m_base = m_folder.path().toStdString(); }
-    void partsThatHangAreTold();
-    void solidsThatHangAreTold();
+    void looselyAttachedPartsAreReported();
+    void looselyAttachedSolidsAreReported();
     void sizesBeyondNumbersAreTold();
     void oneSpareVertexIsToldAsOne();
     void missedQualityIsTold();
@@ -70,7 +70,7 @@ class TestMeshTrust : public QObject {
         const auto read = project("'domain': {" + domain + "}");
         return loadSolid(domainOf(*read), designOf(*read), m_base);
     }
-    /// Runs it; what was told stays in m_notices.
+    /// Runs the project and keeps the notices in m_notices.
     void run(const std::shared_ptr<Project>& project, const RunOutputs& outputs,
              MeshWriteOptions meshes = {}) {
         RunOptions options;
@@ -103,7 +103,7 @@ Surface hangingStrip() {
 
 }  // namespace
 
-void TestMeshTrust::partsThatHangAreTold() {
+void TestMeshTrust::looselyAttachedPartsAreReported() {
     test::writeSurface(file("hang.obj"), hangingStrip());
     const auto inspection = inspectFile(file("hang.obj"));
     QCOMPARE(inspection.problems.size(), std::size_t(1));
@@ -117,7 +117,7 @@ void TestMeshTrust::partsThatHangAreTold() {
     QVERIFY(anyContains(m_notices, "a part of 1 cell hangs only on vertex 8 near (2, 2)"));
 }
 
-void TestMeshTrust::solidsThatHangAreTold() {
+void TestMeshTrust::looselyAttachedSolidsAreReported() {
     const Surface corner = test::joined(kBar, test::box({3, 1, 1}, {4, 2, 2}, 2));
     test::writeSurface(file("corner.obj"), corner);
     QVERIFY(anyContains(textsOf(solid("'surface': 'corner.obj', 'vertices': 300").notices),
@@ -132,7 +132,8 @@ void TestMeshTrust::solidsThatHangAreTold() {
                         "hangs only on the edge "));
 }
 
-/// A box of any size that squares and volumes can be told of; beyond that nothing is made up.
+/// The facts about a box hold for any size whose squares and volumes are representable; beyond that no
+/// numbers are given.
 void TestMeshTrust::sizesBeyondNumbersAreTold() {
     const auto inspected = [this](double size) {
         Surface scaled = kBar;
@@ -215,8 +216,8 @@ void TestMeshTrust::largerHolesAreTold() {
             0);
 }
 
-/// Surface formats keep all vertices, and those at one place stay at one place; files of tetrahedra have only
-/// what cells use.
+/// Surface formats keep all vertices, and coincident ones stay coincident; files of tetrahedra have only the
+/// vertices that cells use.
 void TestMeshTrust::tornSurfaceMovesAsOne() {
     Surface torn = kBar;
     tearApart(torn.points, torn.triangles);
@@ -252,7 +253,7 @@ void TestMeshTrust::tornSurfaceMovesAsOne() {
     QCOMPARE(report["vertices"].get<Eigen::Index>(), pointsOf(*cells).cols());
 }
 
-/// In the plane too, where every vertex has a cell: as if the file were whole.
+/// A torn mesh in the plane, in which every vertex has a cell, moves as if the file were whole.
 void TestMeshTrust::tornMeshMovesAsOne() {
     const Surface whole = test::surfaceOf(stripMesh(6, 2));
     Surface torn = whole;
@@ -279,7 +280,7 @@ void TestMeshTrust::tornMeshMovesAsOne() {
                         .norm() < 1e-9);
 }
 
-/// What was brought stays as it is, and solvers' users are warned.
+/// The input stays as it is, and users of solvers are warned.
 void TestMeshTrust::spareVerticesOfMeshesAreTold() {
     Surface spare = test::surfaceOf(stripMesh(2, 1));
     spare.points.conservativeResize(Eigen::NoChange, 8);
@@ -319,8 +320,8 @@ void TestMeshTrust::errorAtTheEndIsTold() {
             QVERIFY(estimate > 0 && estimate < last / 5);
             QVERIFY2(m_summary.find("add up to about") != std::string::npos, m_summary.c_str());
             last = estimate;
-            // The order of magnitude: what the steps told of themselves is the error of the lower of two
-            // orders.
+            // Only the order of magnitude is compared: the error estimate of the steps is that of the lower
+            // of two orders.
             const double error = (pointsOf(*sharedMeshFile(outputs.mesh.front())) - pointsOf(*exact))
                                      .colwise()
                                      .norm()

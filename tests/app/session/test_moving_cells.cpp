@@ -1,5 +1,5 @@
-// The cells with which a large picture is drawn while it moves: nothing is drawn far from its place, the
-// outline is the shape's own, what lies in front stays there, and the window uses them for drags only.
+// The coarser cells with which a large picture is drawn while it moves: nothing is drawn far from its place,
+// the outline is the shape's own, the order is kept, and the window uses them for drags only.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -19,7 +19,7 @@ class TestMovingCells : public QObject {
     void moreAreTakenWhereItBends();
     void unusedVerticesDoNotMatter();
     void usualMeshesAreDrawnSo();
-    void whatIsNotWorthwhileIsDrawnWhole();
+    void shapesWithoutGainAreDrawnWhole();
     void pictureIsTheSame_data();
     void pictureIsTheSame();
     void dragsAloneAreDrawnSo();
@@ -50,7 +50,7 @@ MeshPtr gridOf(int side) {
     return mesh;
 }
 
-/// A wave that nothing coarse follows everywhere, and one vertex that a pin pulls along.
+/// Applies a wave that no coarse mesh follows everywhere, and moves one vertex as a pin does.
 Points2 bent(const SimplicialMesh<2>& mesh, double pull = 9) {
     Points2 pose = mesh.points;
     const double size = kSide * kUnit;
@@ -62,7 +62,7 @@ Points2 bent(const SimplicialMesh<2>& mesh, double pull = 9) {
     return pose;
 }
 
-/// The farthest that a vertex of the shape lies from where the cells have it, by all of them.
+/// Returns the farthest distance of a vertex of the shape from its place in the cells, over all cells.
 double farthest(const SimplicialMesh<2>& mesh, const std::vector<Cell<2>>& cells, const Points2& pose) {
     std::vector<double> least(static_cast<std::size_t>(mesh.vertexCount()), -1);
     for (const Cell<2>& cell : cells) {
@@ -165,7 +165,7 @@ void TestMovingCells::moreAreTakenWhereItBends() {
     QVERIFY(later->cells.size() > first->cells.size());
 }
 
-/// A vertex that no cell has lies anywhere.
+/// A vertex without a cell may be anywhere.
 void TestMovingCells::unusedVerticesDoNotMatter() {
     const MeshPtr mesh = gridOf(kSide);
     Points2 pose = bent(*mesh);
@@ -176,7 +176,7 @@ void TestMovingCells::unusedVerticesDoNotMatter() {
     for (const Cell<2>& cell : drawn->cells) QVERIFY(std::ranges::find(cell, inHole) == cell.end());
 }
 
-/// Those of a picture with the number of vertices that it gets by itself.
+/// A picture with the default number of vertices is drawn with such cells.
 void TestMovingCells::usualMeshesAreDrawnSo() {
     const MeshPtr mesh = gridOf(74);
     QVERIFY(mesh->vertexCount() < 5700);
@@ -187,17 +187,17 @@ void TestMovingCells::usualMeshesAreDrawnSo() {
     QVERIFY(farthest(*mesh, drawn->cells, pose) <= 0.5 + 1e-9);
 }
 
-void TestMovingCells::whatIsNotWorthwhileIsDrawnWhole() {
+void TestMovingCells::shapesWithoutGainAreDrawnWhole() {
     const MeshPtr small = gridOf(55), mesh = gridOf(kSide);
     QVERIFY(!MovingCells().of(small, nullptr, small->points, 1));
-    // Noise that no fewer cells follow; and where it is allowed to be off as far again, it is tried again.
+    // No coarser mesh follows noise; where twice the deviation is allowed, it is tried again.
     Points2 noisy = mesh->points;
     for (Eigen::Index v = 0; v < noisy.cols(); ++v)
         noisy.col(v) += Vec2(std::sin(7.0 * v), std::cos(3.0 * v));
     MovingCells moving;
     for (int i = 0; i < 20; ++i) QVERIFY(!moving.of(mesh, nullptr, noisy, 0.01));
     QVERIFY(moving.of(mesh, nullptr, noisy, 5));
-    // A mesh that covers itself at rest.
+    // The mesh covers itself at rest.
     auto twice = std::make_shared<SimplicialMesh<2>>(*mesh);
     const int count = mesh->vertexCount();
     twice->points.conservativeResize(2, 2 * count);
@@ -213,8 +213,8 @@ void TestMovingCells::pictureIsTheSame_data() {
     QTest::newRow("folded, in two depths") << true;
 }
 
-/// The outline to the bit; colours as far as half a pixel takes them, but for the step where the halves meet.
-/// Folded, the right half lies over the left one, and the other way round.
+/// The outline is equal to the bit, and colours within the change over half a pixel, except for the step
+/// where the halves meet. When folded, the right half is over the left one, and the other way round.
 void TestMovingCells::pictureIsTheSame() {
     QFETCH(bool, folded);
     const MeshPtr mesh = gridOf(kSide);
@@ -271,8 +271,8 @@ void TestMovingCells::dragsAloneAreDrawnSo() {
     QVERIFY(!drawn(false, Filter::Bilinear));
 }
 
-/// Two sheets that lie over each other at rest and side by side in their picture: the second one is in front.
-/// Blended ones have their own cells.
+/// Two sheets overlap at rest and are side by side in their picture: the second one is in front. Blended ones
+/// have their own cells.
 void TestMovingCells::partsAreDrawnSo() {
     constexpr int kSquares = 74;
     const MeshPtr sheet = gridOf(kSquares);

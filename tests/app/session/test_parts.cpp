@@ -1,5 +1,5 @@
-// Pictures of several parts: their place, opacity and order, what rides on another part, what is cut out, and
-// the file of layers, which Python's zipfile and Qt read.
+// Pictures of several parts: their place, opacity and order, embedding in another part, cutting out, and the
+// file of layers, which Python's zipfile and Qt read.
 
 #include <OpenImageIO/imageio.h>
 #include <Eigen/Geometry>
@@ -44,7 +44,7 @@ Rgba pixelOf(const QImage& image, int x, int y) {
     return {colour.redF(), colour.greenF(), colour.blueF(), colour.alphaF()};
 }
 
-/// Porter and Duff: colours not multiplied with alpha.
+/// Porter–Duff "over"; colours are not multiplied with alpha.
 Rgba over(const Rgba& top, const Rgba& below) {
     const double alpha = top[3] + (1 - top[3]) * below[3];
     Rgba result{0, 0, 0, alpha};
@@ -209,7 +209,7 @@ void TestParts::wrongProjects() {
     }
 }
 
-/// At rest the picture is the sheets over one another, pixel by pixel, as Porter and Duff have it.
+/// At rest the picture is the sheets over one another, pixel by pixel, by Porter and Duff's formula.
 void TestParts::partsLieOverOneAnother() {
     const QImage image = run(project(R"({"name": "square", "image": "square.png", "at": [20, 10]},
                                         {"name": "bar", "image": "bar.png", "at": [4, 14], "opacity": 0.75},
@@ -230,8 +230,8 @@ void TestParts::partsBlend_data() {
     for (const char* mode : {"multiply", "screen", "add"}) QTest::newRow(mode) << mode;
 }
 
-/// Sheets of several colours and opacities, of which the upper two blend: over one that is opaque, one that
-/// is half transparent, and nothing.
+/// Of sheets of several colours and opacities the upper two blend, over an opaque one, a half transparent
+/// one, and nothing.
 void TestParts::partsBlend() {
     QFETCH(QString, mode);
     const auto write = [&](const char* name, int width, int height, const std::vector<std::uint8_t>& colour) {
@@ -264,7 +264,7 @@ void TestParts::partsBlend() {
     QVERIFY(isNear(pixelOf(plain, 30, 20), over(top, over(middle, over(thin, full)))));
 }
 
-/// Where the edge of an opaque sheet halves a pixel, half of it is blended.
+/// An opaque sheet whose edge halves a pixel is blended at half strength there.
 void TestParts::blendedEdgesAreSoft() {
     const QImage image =
         run(project(R"({"name": "bar", "image": "bar.png", "at": [4, 14.5], "blend": "multiply"},
@@ -275,7 +275,7 @@ void TestParts::blendedEdgesAreSoft() {
     QVERIFY(isNear(pixelOf(image, 20, 27), kGreen));
 }
 
-/// A layer has the mode of its file, unless the project says another one; exported files say it.
+/// A layer has the mode of its file unless the project overrides it; exported files record it.
 void TestParts::layersBlendAsTheirFileSays() {
     writeOpenRaster(
         at("shade.ora").toStdString(),
@@ -308,8 +308,8 @@ void TestParts::orderChanges() {
     QVERIFY(isNear(pixelOf(run(loaded), 30, 20), kGreen));
 }
 
-/// A bar that is pinned by a joint at its left end and turned down by its right one: pixels are where a rigid
-/// rotation takes them, and the board stays.
+/// A bar is pinned by a joint at its left end and rotated down by its right one: its pixels follow a rigid
+/// rotation, and the board stays.
 void TestParts::limbTurnsAtItsJoint() {
     const LoadedProject loaded = project(
         R"({"name": "bar", "image": "bar.png", "at": [10, 14], "joints": [{"to": "board", "at": [14, 20]}]},
@@ -332,7 +332,7 @@ void TestParts::limbTurnsAtItsJoint() {
     QVERIFY(inside > 300);
 }
 
-/// A rider goes along with its host, also where it reaches beyond it.
+/// An embedded part follows its host, even where it reaches beyond it.
 void TestParts::ridersFollow() {
     const LoadedProject loaded = project(
         R"({"name": "square", "image": "square.png", "at": [20, 8], "ridesOn": "bar"},
@@ -348,7 +348,7 @@ void TestParts::ridersFollow() {
     QVERIFY(isNear(pixelOf(image, 28, 10), kNothing));  // where it was
 }
 
-/// At rest a cut is not seen, whatever its feather; moved away it leaves a hole.
+/// A cut is invisible at rest, whatever its feather; once moved, it leaves a hole.
 void TestParts::cutsBecomeParts() {
     const std::string parts = R"({"name": "piece", "cut": {"from": "board", "feather": 3,
                                   "polygons": [[[20, 20], [50, 20], [50, 40], [20, 40]]]}},
@@ -364,8 +364,8 @@ void TestParts::cutsBecomeParts() {
     QVERIFY(isNear(pixelOf(moved, 10, 30), kGreen));
 }
 
-/// A blue disc before stripes. At rest nothing is seen of the cut; when it has moved, the ground is striped
-/// as around it, without a hole and without blue.
+/// A blue disc is in front of stripes. At rest the cut is invisible; when the disc has moved, the ground is
+/// striped as around it, without a hole and without blue.
 void TestParts::groundsAreFilled() {
     if (!canInpaint()) QSKIP("gmic is not installed");
     constexpr int kSize = 96;
@@ -438,7 +438,7 @@ void TestParts::mattesAddUp() {
     for (std::size_t i = 0; i < share.size(); ++i) {
         const float *whole = at(picture, i), *top = at(matte.top, i), *below = at(matte.ground, i);
         QVERIFY(top[3] >= share[i] * whole[3] - 1e-6F && top[3] <= 1);
-        // Where the picture is not opaque, its alpha is kept exactly, and colours as far as they are colours.
+        // Where the picture is not opaque, its alpha is kept exactly, and colours as far as they are defined.
         for (int c = 3; c >= (i % 2 == 0 ? 0 : 3); --c) {
             QVERIFY(top[c] >= 0 && top[c] <= top[3] + 1e-5F);
             QVERIFY(std::abs(top[c] + (1 - top[3]) * below[c] - whole[c]) < 1e-5F);
@@ -446,8 +446,8 @@ void TestParts::mattesAddUp() {
     }
 }
 
-/// A cut across something bright, behind which it is dark, has a soft edge although no colour but white with
-/// full alpha gives white over black; a little of it stays in the ground.
+/// A cut across something bright in front of a dark ground has a soft edge, although only white with full
+/// alpha gives white over black; a little of it stays in the ground.
 void TestParts::mattesAreSoftWithinAShape() {
     constexpr int kWide = 9;
     Image picture = plainPicture(kWide, 1, {0, 0, 0, 0});
@@ -471,7 +471,7 @@ void TestParts::mattesAreSoftWithinAShape() {
     }
 }
 
-/// A bar on a block hangs on its end; the middle of the block hangs on nothing in particular.
+/// A bar on a block is attached at its end; the middle of the block is attached to nothing in particular.
 void TestParts::limbsHangOnSeams() {
     Image picture = plainPicture(100, 60, {0, 0, 0, 0});
     for (int y = 0; y < 60; ++y)
@@ -491,7 +491,7 @@ void TestParts::limbsHangOnSeams() {
     QVERIFY(std::abs(coveredArea(box(44, 10, 96, 44), sheet) - 46 * 12) < 40);
 }
 
-/// Each layer is a part where it has gone; all over one another are the flat picture.
+/// Each layer is a part in its moved place; all of them over one another are the flat picture.
 void TestParts::layersAreWritten() {
     const LoadedProject loaded = project(
         R"({"name": "square <1>", "image": "square.png", "at": [20, 8], "opacity": 0.5},
@@ -606,8 +606,8 @@ void TestParts::layersOfPhotoshop() {
     QVERIFY_EXCEPTION_THROWN(requirePossible(*loaded.project, frames.outputs), InputError);
 }
 
-/// Of every part an EXR file has the picture and the map as it is alone, at its place in the pose: also under
-/// another one.
+/// An EXR file has each part's picture and map at its place in the pose, complete even where another part
+/// covers it.
 void TestParts::partsAreChannels() {
     const LoadedProject loaded = project(
         R"({"name": "bar", "image": "bar.png", "at": [10, 14]}, {"name": "board", "image": "board.png"})",

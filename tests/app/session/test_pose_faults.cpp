@@ -1,5 +1,5 @@
-// Where a pose passes through itself and what of it has blown up: bodies whose number of places is known, and
-// every pair against a test of all pairs that shares nothing with ours.
+// Places where a pose intersects itself, and cells that have blown up: bodies with a known number of places,
+// and a brute-force test of all pairs that shares no code with ours.
 #include <Eigen/LU>
 #include <QElapsedTimer>
 #include <QTest>
@@ -18,7 +18,7 @@ class TestPoseFaults : public QObject {
     void bentBar_data();
     void bentBar();
     void slabsInEachOther();
-    void whatMetAtRestIsNoNews();
+    void contactAtRestIsNotReported();
     void surfaceInACage();
     void ribbonCrossesItself();
     void blownUp_data();
@@ -91,7 +91,7 @@ PoseFaults<Dim> lookAt(const SimplicialMesh<Dim>& mesh, const Points<Dim>& pose)
     return faultsOf<Dim>(shapeOf(mesh), pose);
 }
 
-/// The bar from −2 to 2 bent over `angle` into an arc that winds up, so that no two faces lie in a plane.
+/// Bends the bar from −2 to 2 over `angle` into a spiralling arc, so that no two faces are coplanar.
 Points3 bent(const Points3& bar, double angle) {
     const double radius = 4 / angle;
     return mapped<3>(bar, [&](const Vec3& p) {
@@ -132,7 +132,7 @@ bool meet(const Points2& x, const std::array<int, 2>& s, const std::array<int, 2
            left(t[0], t[1], s[0]) != left(t[0], t[1], s[1]);
 }
 
-/// All pairs of facets of the border that cross and have no vertex in common, by trying all.
+/// Returns all pairs of facets of the border that cross and have no vertex in common, by brute force.
 template <int Dim>
 int pairsByHand(const SimplicialMesh<Dim>& mesh, const Points<Dim>& pose) {
     std::vector<std::array<int, Dim>> border;
@@ -197,7 +197,7 @@ void TestPoseFaults::bentBar() {
     QVERIFY(faults.blown.empty());
 }
 
-/// One slab enters another, one place; another one enters elsewhere, a second. The larger is told first.
+/// One slab enters another at one place, and another one elsewhere. The larger place is reported first.
 void TestPoseFaults::slabsInEachOther() {
     const auto slab = block({0, 0, 0}, {8, 3, 1}, {8, 3, 1}), small = block({1, 1, 2}, {2, 2, 3}, {2, 2, 2}),
                large = block({4, 0.5, 2}, {7, 2.5, 3}, {6, 4, 2});
@@ -221,8 +221,9 @@ void TestPoseFaults::slabsInEachOther() {
     QVERIFY(two.crossings[0].at.x() > 3);
 }
 
-/// Two blocks that lie on each other are no news, however they are turned, whether their points meet or not.
-void TestPoseFaults::whatMetAtRestIsNoNews() {
+/// Two blocks that touch at rest are not reported, however they are rotated, whether their points meet or
+/// not.
+void TestPoseFaults::contactAtRestIsNotReported() {
     for (const int n : {2, 3}) {
         const auto pile =
             both<3>(block({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), block({0, 0, 1}, {1, 1, 2}, {n, n, n}));
@@ -232,7 +233,7 @@ void TestPoseFaults::whatMetAtRestIsNoNews() {
     }
 }
 
-/// What a cage carries is looked at in place of the cage.
+/// The embedded surface is checked in place of its cage.
 void TestPoseFaults::surfaceInACage() {
     const auto cage = block({-2.5, -0.5, -0.5}, {2.5, 0.5, 0.5}, {30, 3, 3});
     const auto bar = block({-2, -0.2, -0.2}, {2, 0.2, 0.2}, {30, 3, 3});
@@ -326,7 +327,7 @@ void TestPoseFaults::time_data() {
     QTest::newRow("20k") << 20;
 }
 
-/// Told, not asserted.
+/// Prints the time and does not assert it.
 void TestPoseFaults::time() {
     QFETCH(int, across);
     const auto bar = block({-2, -0.2, -0.2}, {2, 0.2, 0.2}, {2 * across + 6, across, across});

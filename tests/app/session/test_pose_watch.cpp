@@ -1,4 +1,4 @@
-// What is wrong with the pose that is shown: told, marked and found, of solids and in the plane.
+// Faults of the shown pose are reported, marked and found, in solids and in the plane.
 #include <QToolButton>
 
 #include "app/panels/distortion_panel.h"
@@ -15,19 +15,19 @@ class TestPoseWatch : public QObject {
   private slots:
     void init() { m_f = std::make_unique<SolidFixture>(); }
     void cleanup() { m_f.reset(); }
-    void placesAreToldMarkedAndSeen_data() { dimensions(); }
-    void placesAreToldMarkedAndSeen() { BOTH(placesAreToldMarkedAndSeen); }
-    void whatBlowsUpIsTold_data() { dimensions(); }
-    void whatBlowsUpIsTold() { BOTH(whatBlowsUpIsTold); }
-    void nothingIsKnownOfWhatMoves();
+    void placesAreReportedAndMarked_data() { dimensions(); }
+    void placesAreReportedAndMarked() { BOTH(placesAreReportedAndMarked); }
+    void blownUpCellsAreReported_data() { dimensions(); }
+    void blownUpCellsAreReported() { BOTH(blownUpCellsAreReported); }
+    void movingShapesAreNotChecked();
 
   private:
     template <int Dim>
     bool open(const std::string& motion);
     template <int Dim>
-    void placesAreToldMarkedAndSeen();
+    void placesAreReportedAndMarked();
     template <int Dim>
-    void whatBlowsUpIsTold();
+    void blownUpCellsAreReported();
     QToolButton& chip(const char* name) {
         return *m_f->window().findChild<QToolButton*>(QString::fromLatin1(name));
     }
@@ -51,7 +51,7 @@ SimplicialMesh<Dim> body() {
         return barMesh(2);
 }
 
-/// Beside it the same once more, 8 to the right.
+/// Returns the mesh with a copy of itself, 8 to the right.
 template <int Dim>
 SimplicialMesh<Dim> pair() {
     SimplicialMesh<Dim> mesh = body<Dim>();
@@ -67,7 +67,7 @@ SimplicialMesh<Dim> pair() {
 
 }  // namespace
 
-/// The first holds still, the second moves.
+/// Returns handles of which the first holds still and the second moves.
 template <int Dim>
 bool TestPoseWatch::open(const std::string& motion) {
     const char* name = Dim == 2 ? "pair.obj" : "pair.mesh";
@@ -86,7 +86,7 @@ bool TestPoseWatch::open(const std::string& motion) {
            settle(m_f->session());
 }
 
-/// Towards the colour of what is wrong, whatever the light.
+/// Returns how far a pixel is towards the colour of faults, in any light.
 template <int Dim>
 int TestPoseWatch::redPixels() {
     QImage image;
@@ -106,9 +106,9 @@ int TestPoseWatch::redPixels() {
     return count;
 }
 
-/// A corner of the second body goes into the first: one place of a solid, two points of an outline.
+/// A corner of the second body enters the first: one place of a solid, two points of an outline.
 template <int Dim>
-void TestPoseWatch::placesAreToldMarkedAndSeen() {
+void TestPoseWatch::placesAreReportedAndMarked() {
     QVERIFY(open<Dim>(Dim == 2 ? "{'kind': 'translate', 'by': [-7.13, 0.71]}"
                                : "{'kind': 'translate', 'by': [-7.13, 0.71, 0.53]}"));
     QVERIFY(isKnown("crossings"));
@@ -138,7 +138,7 @@ void TestPoseWatch::placesAreToldMarkedAndSeen() {
 }
 
 template <int Dim>
-void TestPoseWatch::whatBlowsUpIsTold() {
+void TestPoseWatch::blownUpCellsAreReported() {
     QVERIFY(open<Dim>(
         Dim == 2 ? "{'kind': 'curve', 'interpolation': 'polyline', 'points': [[9, 1], [19, 1]], 'scale': 4}"
                  : "{'kind': 'curve', 'interpolation': 'polyline', 'points': [[9, 1, 1], [19, 1, 1]], "
@@ -154,8 +154,8 @@ void TestPoseWatch::whatBlowsUpIsTold() {
     QVERIFY(redPixels<Dim>() > plain + 1000);
 }
 
-/// Neither while it is dragged nor while it plays.
-void TestPoseWatch::nothingIsKnownOfWhatMoves() {
+/// No fault is reported while the shape is dragged or plays.
+void TestPoseWatch::movingShapesAreNotChecked() {
     QVERIFY(open<2>("{'kind': 'translate', 'by': [-7.13, 0.71]}"));
     QVERIFY(isKnown("crossings"));
     m_f->session().selection().set({1});

@@ -1,5 +1,5 @@
-// Pictures as rigs of other programs, read as the formats' documents say and not with our code: where
-// vertices are at a time, which texture they show, and which part is in front.
+// Pictures as rigs of other programs, read as the formats' documents specify and independently of our code:
+// places of vertices over time, the texture that they show, and the order of parts.
 
 #include <QFile>
 #include <QImage>
@@ -66,8 +66,7 @@ double area(const QJsonObject& mesh) {
     return sum;
 }
 
-/// Returns the names in the order in which they are drawn once some are moved from their place: the others
-/// fill what is left.
+/// Returns the names in drawing order after some are moved; the others fill the remaining places.
 QStringList moved(const QStringList& names, const std::vector<std::pair<int, int>>& offsets) {
     QStringList order(names.size());
     QStringList others = names;
@@ -110,7 +109,7 @@ class TestRig : public QObject {
     QTemporaryDir m_folder;
 };
 
-/// A red bar in front of a green board; it moves right and down, and from the half on it is behind.
+/// A red bar in front of a green board moves right and down, and is behind it in the second half.
 void TestRig::initTestCase() {
     writeImage(at("board.png").toStdString(), plainPicture(80, 60, {0, 255, 0}));
     writeImage(at("bar.png").toStdString(), plainPicture(50, 12, {255, 0, 0, 255}));
@@ -230,7 +229,7 @@ void TestRig::dragonBonesMoves() {
     QCOMPARE(moved(names, offsets), QStringList({"bar", "board"}));
 }
 
-/// Of two parts only the bar moves; it becomes the farther one.
+/// Only the bar of two parts moves; it becomes the farther one.
 void TestRig::gltfMoves() {
     QFile file(at("rig.glb"));
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -274,7 +273,7 @@ void TestRig::ordersAreSaidAsOffsets() {
     } while (std::ranges::next_permutation(order).found);
 }
 
-/// A square with a square hole: the outer outline is the hull, and goes round.
+/// The outer outline of a square with a square hole is the hull, and comes first.
 void TestRig::longestOutlineComesFirst() {
     Shape<2> shape;
     SimplicialMesh<2> mesh;

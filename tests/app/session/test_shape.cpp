@@ -1,4 +1,4 @@
-// From a project to what the deformer takes: meshes with the handles' points, materials per cell, textures.
+// The deformer's input made from a project: meshes with the handles' points, materials per cell, textures.
 
 #include <QtTest>
 
@@ -54,8 +54,7 @@ class TestShape : public QObject {
         QVERIFY(std::abs(area - 200 * 200) < 1e-6);
     }
 
-    /// Points of handles that are there from the start are the first vertices, each place once; later ones
-    /// are not.
+    /// Points of handles that act from the start are the first vertices, each place once; later ones are not.
     void handlePointsAreVertices() {
         const auto project = parsed(
             "'domain': {'image': 'disc.png', 'outline': {'from': 'alpha'}, 'vertices': 400}, 'handles': ["
@@ -90,7 +89,7 @@ class TestShape : public QObject {
         QVERIFY(!shape.picture);
     }
 
-    /// φ goes linearly with the membership, from what the regions before have left.
+    /// φ changes linearly with the membership, starting from the result of the regions before.
     void regionsBlendPhi() {
         MaterialSpec spec;
         spec.phi = 1;
@@ -151,7 +150,7 @@ class TestShape : public QObject {
         QVERIFY_THROWS_EXCEPTION(InputError, rasterizeMaterial<2>(spec, mesh));
     }
 
-    /// uv place the mesh in the picture, and a pose goes along by the affine map that fits.
+    /// uv gives the mesh's place in the picture, and a pose follows it by the best affine map.
     void textureCoordinates() {
         auto picture = std::make_shared<Image>(discPicture(200, 50));
         auto rest = std::make_shared<SimplicialMesh<2>>(grid(4));
@@ -198,7 +197,7 @@ class TestShape : public QObject {
         }
     }
 
-    /// A sequence is on the disk, not in the memory, while the shape still moves.
+    /// The frames of a sequence are written to disk while the shape still moves, and not kept in memory.
     void framesDoNotWait_data() {
         QTest::addColumn<int>("canvas");
         QTest::newRow("picture") << int(Canvas::Picture);
@@ -219,7 +218,7 @@ class TestShape : public QObject {
         options.outputs.count = 9;
         RunWatch watch;
         qsizetype atOnce = 0;
-        // What is not finished lies in a hidden folder.
+        // Unfinished files are in a hidden folder.
         watch.progress = [&](const std::string& work, double) {
             QDirIterator all(folder.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
             qsizetype hidden = 0;

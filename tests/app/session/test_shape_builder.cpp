@@ -1,5 +1,5 @@
-// The window's shape, made step by step from what it has, against the command line's, made from nothing:
-// after a change of each setting in turn they are the same.
+// The window's shape, updated step by step, equals the command line's, made from scratch, after a change of
+// each setting in turn.
 
 #include <QtTest>
 
@@ -18,7 +18,7 @@ using namespace wend;
 
 namespace {
 
-/// Values that the setting may have in this project and has not.
+/// Returns other valid values of the setting for this project.
 std::vector<double> othersOf(const Option& setting, const Project& project) {
     const double now = settingOf(project, setting.key);
     std::vector<double> tried{0, 1, 2, now + 1, 1.7 * now, 0.6 * now};
@@ -82,7 +82,8 @@ void TestShapeBuilder::everySettingIsFollowed_data() {
     QTest::newRow("cage") << "'surface': 'bar.obj', 'vertices': 150, 'cage': true";
 }
 
-/// One builder goes there and back: what it keeps must be what the next project needs.
+/// One builder changes the setting and restores it: any data that it keeps must be right for the next
+/// project.
 template <int Dim>
 void TestShapeBuilder::follow(const Project& project, const Option& setting) {
     ShapeBuilder<Dim> builder;

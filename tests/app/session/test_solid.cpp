@@ -1,4 +1,4 @@
-// Projects in space: from a surface or tetrahedra to what deformer and window take.
+// Projects in space: from a surface or tetrahedra to the input of deformer and window.
 
 #include <QtTest>
 
@@ -221,7 +221,8 @@ void TestSolid::cageIsChosenByItself() {
     QVERIFY(QString::fromStdString(one.cage->why).contains(why));
 }
 
-/// At rest bit for bit, under affine maps to rounding; all of it inside.
+/// The surface in the cage is kept bit for bit at rest and up to rounding under affine maps; all of it is
+/// inside.
 void TestSolid::cageCarriesTheSurface() {
     for (const char* file : {"crossing.obj", "holed.obj", "fine.ply"}) {
         const Shape<3> one =
@@ -254,7 +255,8 @@ void TestSolid::partsThatShareACageAreTold() {
     QVERIFY2(!apart.contains("share cells"), qPrintable(apart));
 }
 
-/// A fork with a slot of a tenth: where it is, how wide, and how many vertices open it.
+/// A fork has a slot of a tenth: the report gives its place, its width, and the number of vertices that opens
+/// it.
 void TestSolid::gapsThatACageClosesAreTold() {
     test::writeSurface(m_base + "/fork.obj", test::fork(0.1));
     const auto caged = [this](int vertices) {

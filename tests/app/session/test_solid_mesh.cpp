@@ -18,7 +18,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// How a solid's mesh is chosen in the window, and what is embedded in it.
+/// The choice of a solid's mesh in the window, and surfaces embedded in it.
 class TestSolidMesh : public QObject {
     Q_OBJECT
   private slots:
@@ -50,7 +50,7 @@ void TestSolidMesh::init() {
     m_f->window().tools().setMode(Mode::Mesh);
 }
 
-/// By keys, as a user would.
+/// Chooses by keys, as a user would.
 void TestSolidMesh::chooseAim(int row) {
     for (QComboBox* box : panel().findChildren<QComboBox*>()) {
         if (box->accessibleName() != MeshPanel::tr("Aim")) continue;
@@ -130,7 +130,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     QCOMPARE(drawn(), 2);
     QVERIFY(button("removeDetail").isVisible());
     m_f->picture(QStringLiteral("detail-row"));
-    // Saved and read again it is the same file.
+    // After saving and reading, the file is the same.
     const QString saved = m_folder.filePath(QStringLiteral("with.wend"));
     m_f->session().document().save(saved);
     QCOMPARE(QFileInfo(QString::fromStdString(domainOf(*openFile(saved).project).detail)), QFileInfo(plate));
@@ -146,7 +146,7 @@ void TestSolidMesh::detailSurfaceIsChosenAndRemoved() {
     QVERIFY(m_f->domain().detail.empty());
 }
 
-/// Without a map, and on a cut.
+/// The pointed cell shows its shape without a map, and on a cut.
 void TestSolidMesh::pointedCellTellsItsShape() {
     m_f->tool("measure")->trigger();
     const auto pointed = [this](const Vec3& p) {

@@ -56,7 +56,7 @@ Difference differenceOf(const QImage& a, const QImage& b) {
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x) {
             const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-            // Associated: what is transparent has no colour.
+            // Colours are associated, so transparent pixels have none.
             const double most = std::max<double>({std::abs(p.redF() * p.alphaF() - q.redF() * q.alphaF()),
                                                   std::abs(p.greenF() * p.alphaF() - q.greenF() * q.alphaF()),
                                                   std::abs(p.blueF() * p.alphaF() - q.blueF() * q.alphaF()),
@@ -178,7 +178,7 @@ void TestSvgExport::partsAreGroups() {
     QCOMPARE(picture.size(), QSize(640, 480));
 }
 
-/// A part of pixels is a picture in its place in the order, and one line names it.
+/// A part made of pixels is a picture at its place in the order, and one line names it.
 void TestSvgExport::picturesAmongParts() {
     run(project(
             R"("size": [640, 480], "outline": {"from": "alpha"}, "parts": [
@@ -238,7 +238,7 @@ void TestSvgExport::otherPicturesAreRefused() {
                              InputError);
 }
 
-/// A drawing opens in the size that is asked for, and a project of it in the same one.
+/// A drawing opens in the requested size, and a project of it in the same one.
 void TestSvgExport::sizesAreKept() {
     const OpenedFile small = openFile(at("drawing.svg"));
     QVERIFY(!small.project->domain.parts.empty());
@@ -252,7 +252,7 @@ void TestSvgExport::sizesAreKept() {
     QVERIFY(again.warnings.isEmpty());
     const AnyShape shape = loadShape(*again.project, m_folder.path().toStdString());
     QCOMPARE(canvasSize(std::get<Shape<2>>(shape)), (std::array{2000, 1500}));
-    // Twice as large: points are at the same places of the drawing.
+    // At twice the size, points are at the same places of the drawing.
     LoadedProject loaded = bent();
     Project twice = *loaded.project;
     drawAt(twice, drawnSize(twice.domain, m_folder.path().toStdString()), {1280, 960});

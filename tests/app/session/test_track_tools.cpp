@@ -31,8 +31,8 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What goes with the tracks, on the real window: the easing curve, the pictures of key poses, and the sound
-/// while another time is shown by dragging.
+/// Tools of the tracks on the real window: the easing curve, the pictures of key poses, and the sound while
+/// time is scrubbed.
 class TestTrackTools : public QObject {
     Q_OBJECT
   private slots:
@@ -143,7 +143,7 @@ void TestTrackTools::curveFollowsTheChoice() {
     QCOMPARE(plot().curve(), progress(0, 0));
     choose(1, 2);
     QCOMPARE(plot().curve(), progress(1, 0));
-    // Between two keys of a pin, and of several pins at once.
+    // An easing is set between two keys of a pin, and of several pins at once.
     choose(0, 1);
     choose(0, 2, Qt::ShiftModifier);
     choose(1, 1, Qt::ShiftModifier);
@@ -292,8 +292,8 @@ void TestTrackTools::posesMakeRoomForRows() {
     QCOMPARE(tracks().ruler().y(), 0);
 }
 
-/// Short pieces at the times that are shown, one after the other, the last one where the pointer ends; none
-/// while it is switched off, and no player is left.
+/// Scrubbing plays short pieces at the shown times, one after the other, the last one where the pointer ends;
+/// none while it is switched off, and no player process is left.
 void TestTrackTools::soundWhileScrubbing() {
     QTemporaryDir folder;
     QFile player(folder.filePath(QStringLiteral("ffplay")));  // instead of the real one
@@ -318,7 +318,7 @@ void TestTrackTools::soundWhileScrubbing() {
     QTest::mousePress(&ruler, Qt::LeftButton, {}, at(1));
     QTRY_COMPARE_WITH_TIMEOUT(lines("played").size(), 1, 20000);
     QVERIFY(lines("played")[0].contains(QStringLiteral("song.wav -t 0.12")));
-    // The pieces of times that went by while one is heard are left out.
+    // Pieces whose times passed while another was playing are left out.
     QFile slow(folder.filePath(QStringLiteral("slow")));
     QVERIFY(slow.open(QFile::WriteOnly));
     QTest::mouseMove(&ruler, at(1.25));

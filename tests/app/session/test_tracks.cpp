@@ -77,7 +77,8 @@ class TestTracks : public QObject {
     std::unique_ptr<SolidFixture> m_window;
 };
 
-/// A bar with pins left, right and in the middle; the first two move from 0 to 1 and on to 2, from 1 to 2.
+/// Opens a bar with pins left, right and in the middle; the first two move from 0 to 1 and on to 2, and from
+/// 1 to 2.
 void TestTracks::init() {
     QSettings().remove(QStringLiteral("ruler"));
     m_window = std::make_unique<SolidFixture>();
@@ -140,7 +141,7 @@ QAction* TestTracks::menuEntry(QWidget& at, const QPoint& place, const QString& 
     return nullptr;
 }
 
-/// By the sum of straight motions.
+/// Computes the place as the sum of straight motions.
 Vec2 TestTracks::placeAt(int handle, double time) {
     Vec2 place = Vec2::Zero();
     for (const PinMotion& motion : motions(handle))
@@ -312,13 +313,13 @@ void TestTracks::choiceStaysWithItsPins() {
     undo().setIndex(steps);
     QVERIFY(isNudged(1, 1.04, 2.04));
     QCOMPARE(keys(0), (std::vector<double>{0, 1, 2}));
-    // Copies of a pin that is gone are for the selected one.
+    // Copies of a removed pin are pasted to the selected one.
     removePin(1);
     session().selection().set({1});
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(keys(1).size(), 2U);
     QCOMPARE(keys(1)[1], 3.0);
-    // In another file, copies are for the pins in their places.
+    // In another file, copies are pasted to the pins at the same positions.
     session().document().close();
     openFilm();
     session().selection().set({});
@@ -397,7 +398,7 @@ void TestTracks::menuOfABarSimplifies() {
     QVERIFY((placeAt(2, 1.5) - Vec2(15, 15)).norm() < 1e-9);
 }
 
-/// A second drag of the same pin at the end corrects the move; with Keep the Path it goes on.
+/// A second drag of the same pin at the end corrects the move; with Keep the Path it continues the path.
 void TestTracks::dragAtTheEndIsCorrected() {
     QVERIFY(m_window->window().actions().poseHere->isChecked());
     const auto dragPin = [&](const QPoint& by) {
@@ -426,8 +427,8 @@ void TestTracks::dragAtTheEndIsCorrected() {
     QCOMPARE(endOf(project()), 7.0);
 }
 
-/// Poses at three times, one between, another time for it, copies on the other side, a cycle, a file, and
-/// back.
+/// A film is made of poses at three times, one between, another time for it, copies on the other side, and a
+/// cycle, then saved and reopened.
 void TestTracks::filmIsMadeOfPoses() {
     const int steps = undo().count();
     const std::string first = toJson(project());
@@ -569,8 +570,8 @@ bool writeWave(const QString& path, const std::vector<double>& sound, int rate) 
     return out.status() == QDataStream::Ok;
 }
 
-/// A second of silence and a second of a tone: the loudness that ffmpeg decodes, and the times at which the
-/// player is asked for the sound.
+/// A second of silence and a second of a tone: the drawn loudness is that which ffmpeg decodes, and the
+/// player is asked for the sound at the right times.
 void TestTracks::soundIsDrawnAndHeard() {
     if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) QFAIL("ffmpeg is not there");
     QTemporaryDir folder;
@@ -630,8 +631,8 @@ void TestTracks::soundIsDrawnAndHeard() {
     QTRY_COMPARE_WITH_TIMEOUT(notices.size(), 1, 20000);
 }
 
-/// Every second has a tone of its own, 400, 800 … Hz. What the player hands to the sound device, here a file,
-/// is from the time that the film plays from: the tone changes where the next second begins.
+/// Every second has a tone of its own, 400, 800 … Hz. The player's output, here written to a file, starts at
+/// the time from which the film plays: the tone changes where the next second begins.
 void TestTracks::soundIsThatOfItsTime() {
     if (QStandardPaths::findExecutable(QStringLiteral("ffplay")).isEmpty()) QFAIL("ffplay is not there");
     constexpr int kRate = 44100, kWindow = 441;  // 10 ms

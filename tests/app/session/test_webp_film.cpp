@@ -23,8 +23,8 @@ class TestWebpFilm : public QObject {
     void lossyStillIsSmaller();
     void restIsOneLongFrame();
     void profileIsKept();
-    void whatCannotBeIsRefused_data();
-    void whatCannotBeIsRefused();
+    void impossibleFilmsAreRefused_data();
+    void impossibleFilmsAreRefused();
     void inputIsNotReplaced();
 
   private:
@@ -63,7 +63,7 @@ void TestWebpFilm::filmIsTheSequence_data() {
     QTest::newRow("on white") << QStringList{"--outside", "white"} << 24.0;
 }
 
-/// Each frame has the pixels that the sequence has as PNG, and what its time is rounded by does not add up.
+/// Each frame has the pixels of the sequence as PNG, and the rounding of times does not add up.
 void TestWebpFilm::filmIsTheSequence() {
     QFETCH(QStringList, how);
     QFETCH(double, rate);
@@ -104,7 +104,7 @@ void TestWebpFilm::lossyStillIsSmaller() {
     QCOMPARE(readImage(file("two.webp").toStdString()).width, 200);
 }
 
-/// Where nothing moves the player sees the same picture as long as the film lasts.
+/// Where nothing moves the player shows the same picture as long as the film lasts.
 void TestWebpFilm::restIsOneLongFrame() {
     succeed({"run", "still.wend", "--frames", "still.webp", "--count", "5", "--fps", "10"});
     const WebpFrames film = webpFrames(file("still.webp"));
@@ -125,7 +125,7 @@ void TestWebpFilm::profileIsKept() {
     QCOMPARE(profile, QByteArray(reinterpret_cast<const char*>(own.data()), qsizetype(own.size())));
 }
 
-void TestWebpFilm::whatCannotBeIsRefused_data() {
+void TestWebpFilm::impossibleFilmsAreRefused_data() {
     QTest::addColumn<QStringList>("how");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("why");
@@ -143,8 +143,8 @@ void TestWebpFilm::whatCannotBeIsRefused_data() {
         << QStringList{"disc.wend", "--frames", "no_#.png", "--fps", "9"} << 2 << "--fps is for";
 }
 
-/// In one line, with the name, and nothing is left.
-void TestWebpFilm::whatCannotBeIsRefused() {
+/// A film that cannot be written is refused in one line, with its name, and no file is left.
+void TestWebpFilm::impossibleFilmsAreRefused() {
     QFETCH(QStringList, how);
     QFETCH(int, code);
     QFETCH(QString, why);

@@ -18,7 +18,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What strokes become: layers that they join; the brush by keys alone and in the row of options.
+/// The layers that strokes make or join; the brush used by keys alone and in the row of options.
 class TestBrushwork : public PaintTest {
     Q_OBJECT
   private slots:
@@ -65,8 +65,8 @@ void TestBrushwork::strokesJoinTheirLayer() {
     BOTH(joinLayers);
 }
 
-/// The chosen one if it has what is painted, wherever it lies; another value is another layer, which is then
-/// chosen. Each stroke is a step.
+/// A stroke joins the chosen layer if that has the painted value, wherever it is; another value makes another
+/// layer, which is then chosen. Each stroke is a step.
 template <int Dim>
 void TestBrushwork::joinLayers() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -87,7 +87,7 @@ void TestBrushwork::joinLayers() {
     QVERIFY(settle(session));
     const std::vector<std::string> three{"Rigid 1", "Stiff 1", "Combed 1"};
     QVERIFY(layers() == three && list()->currentRow() == 0);
-    // Into one further down, beneath the others.
+    // The stroke joins a layer further down, beneath the others.
     set([](BrushSettings& b) { b.target = BrushTarget::Keep, b.phi = phi::kEquia; });
     stroke<Dim>({0, 0}, {0, 0});
     set([](BrushSettings& b) { b.phi = phi::kMetr; });
@@ -104,7 +104,8 @@ void TestBrushwork::joinLayers() {
     QCOMPARE(regions<Dim>()[count].phi, std::optional(phi::kMetr));  // still on top
     QVERIFY(phis<Dim>()[cellAt<Dim>(0)] != phi::kMetr || Dim == 3);
     QVERIFY(undo() && regions<Dim>().size() == count);
-    // With another value chosen it is a new layer; with none, the topmost if it has what is painted.
+    // With another value chosen the stroke makes a new layer; with none, it joins the topmost if that has the
+    // painted value.
     set([](BrushSettings& b) { b.phi = phi::conformal(Dim); });
     stroke<Dim>({-1, 0.2}, {-1, 0.2});
     list()->setCurrentRow(-1);
@@ -121,7 +122,7 @@ void TestBrushwork::stepsNameThePlace() {
     BOTH(namePlaces);
 }
 
-/// By a pin nearby or the name that the layer was given; not by the name of the file.
+/// A layer is named after a pin nearby or by the user, not after the file.
 template <int Dim>
 void TestBrushwork::namePlaces() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -152,7 +153,7 @@ void TestBrushwork::noStiffnessIsNoLayer() {
     BOTH(paintNothing);
 }
 
-/// Told before and after; over what is stiff it does take stiffness away.
+/// The effect is shown before and after; over a stiff part the stroke does reduce the stiffness.
 template <int Dim>
 void TestBrushwork::paintNothing() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -182,7 +183,8 @@ void TestBrushwork::keysAlonePaint() {
     BOTH(paintByKeys);
 }
 
-/// From the middle of the shape; with Shift a line from the last place; likewise the fill.
+/// A stroke by keys starts in the middle of the shape; with Shift it is a line from the last place; a fill
+/// works likewise.
 template <int Dim>
 void TestBrushwork::paintByKeys() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -219,8 +221,8 @@ void TestBrushwork::keysAloneBlend() {
     BOTH(blendByKeys);
 }
 
-/// Enter takes hold of an end, arrows bring it away, Enter lets it go: of a new gradient, and of one that is
-/// there. Escape gives it up, and so does a hand at the mouse.
+/// Enter takes hold of an end, arrows move it, Enter releases it, for a new gradient and for an existing one.
+/// Escape and the mouse cancel it.
 template <int Dim>
 void TestBrushwork::blendByKeys() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -261,7 +263,7 @@ void TestBrushwork::optionsHoldTheBrush() {
     BOTH(showOptions);
 }
 
-/// What it paints, how large and hard it is, as far as a tool has that.
+/// The row shows the value, the size and the hardness, as far as a tool has them.
 template <int Dim>
 void TestBrushwork::showOptions() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -333,7 +335,7 @@ void TestBrushwork::layersAreMerged() {
     BOTH(merge);
 }
 
-/// The shape stays as it was; where it would not, they are not merged.
+/// Layers are merged only where that leaves the shape as it was.
 template <int Dim>
 void TestBrushwork::merge() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -357,7 +359,7 @@ void TestBrushwork::merge() {
     list()->setCurrentRow(0);
     QVERIFY(settle(m_f->session()) && layers().size() == 2 && !merge->isEnabled());
     QVERIFY2(merge->statusTip().contains(QStringLiteral("erases")), qPrintable(merge->statusTip()));
-    // The menu of a layer has what else is done with it.
+    // The menu of a layer has the remaining commands.
     const auto entry = [this](const char* name) {
         return list()->template findChild<QAction*>(QLatin1String(name));
     };
@@ -368,7 +370,7 @@ void TestBrushwork::merge() {
     QVERIFY(settle(m_f->session()) && layers().size() == 1);
 }
 
-/// Leaving the step shows what was shown before, also if the map was switched off or another file was opened.
+/// Leaving the step restores the previous map, also if the map was switched off or another file was opened.
 void TestBrushwork::mapComesBack() {
     QVERIFY(m_f->openPicture());
     auto& map = m_f->window().properties().distortion();

@@ -18,7 +18,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Where a solid's cells are finer or coarser: painted and by regions, in the window.
+/// Painting and regions make a solid's cells finer or coarser, in the window.
 class TestCellSizes : public QObject {
     Q_OBJECT
   private slots:
@@ -73,7 +73,7 @@ void TestCellSizes::brushTheRightEnd(Qt::KeyboardModifiers modifiers) {
     m_f->drag(m_f->at({1.4, -0.5, -0.3}), m_f->at({1.8, -0.5, 0.3}), modifiers);
 }
 
-/// Of the cells in the right or the left quarter of the bar, near the front.
+/// Returns the mean size of the cells in the right or the left quarter of the bar, near the front.
 double TestCellSizes::meanSize(bool right) {
     const auto frame = m_f->session().motion().frame<3>();
     const auto sizes = cellValues(*frame, Measure::CellSize);
@@ -89,7 +89,7 @@ double TestCellSizes::meanSize(bool right) {
     return sum / count;
 }
 
-/// Strokes and regions are layers on top, with names of their own, in place of what they cover.
+/// Strokes and regions are layers on top, with names of their own, and replace the layers that they cover.
 void TestCellSizes::strokesAreLayers() {
     ValueLayers sizes = {layerWith("", 2, Ball<3>{Vec3::Zero(), 1}),
                          layerWith("", 3, Ball<3>{Vec3::Ones(), 1})};
@@ -101,7 +101,7 @@ void TestCellSizes::strokesAreLayers() {
     QCOMPARE(sizes.size(), std::size_t(4));
     QVERIFY(sizes[2].name == "Stroke 1" && sizes[2].regions.size() == 2 && sizes[2].value == 0.5);
     QCOMPARE(sizes[3].name, std::string("Region 1"));
-    // A larger one, whose hard inside holds the balls around (1, 1, 1) but not that around the origin.
+    // A larger ball, whose hard inside contains the balls around (1, 1, 1) but not that around the origin.
     sizes = withSizeStroke(sizes, {ball(Vec3::Constant(2), 4.5)}, 0.1);
     QCOMPARE(sizes.size(), std::size_t(4));
     QVERIFY(sizes[1].name == "Stroke 1" && sizes[1].regions.size() == 1 && sizes[3].name == "Stroke 2");
@@ -132,14 +132,14 @@ void TestCellSizes::strokesMakeCellsFiner() {
     QVERIFY(m_f->domain().sizes[0].regions.size() > 1);
     QCOMPARE(m_f->domain().sizes[0].value, 0.5);
     QVERIFY2(meanSize(true) < 0.8 * meanSize(false), qPrintable(QString::number(meanSize(true))));
-    // The number of vertices in all is still what was aimed at.
+    // The total number of vertices still meets the aim.
     QVERIFY(std::abs(m_f->session().motion().frame()->vertices - 900) <= 135);
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-painted"));
     list().setCurrentRow(0);
     m_f->picture(QStringLiteral("sizes-stroke"));
-    // Its factor by the panel, and away; each is one step back.
+    // The factor is changed in the panel, and the layer removed; each is one undo step.
     type(box("detailValue"), 25);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->domain().sizes.at(0).value, 0.25);
@@ -167,7 +167,7 @@ void TestCellSizes::shiftPaintsTheOtherWayRound() {
     QCOMPARE(m_f->domain().sizes.at(0).value, 2.5);
     const double after = meanSize(true) / meanSize(false);
     QVERIFY2(after > 1.15 * before, qPrintable(QString::number(after / before)));
-    // Esc gives a stroke up.
+    // Esc cancels a stroke.
     const auto count = m_f->domain().sizes.size();
     m_f->press(m_f->at({0, -0.5, 0}));
     QTest::keyClick(&m_f->canvas(), Qt::Key_Escape);
@@ -198,7 +198,7 @@ void TestCellSizes::regionsByNumbers() {
     m_f->actions().oblique->trigger();
     m_f->window().actions().showMesh->setChecked(true);
     m_f->picture(QStringLiteral("sizes-region"));
-    // Another kind at the same place; saved and read it is the same.
+    // Another kind of region replaces it at the same place; after saving and reading it is the same.
     auto* kind = numbers->findChild<QComboBox*>();
     kind->setFocus();
     QTest::keyClick(kind, Qt::Key_Down);
@@ -234,7 +234,7 @@ void TestCellSizes::mapOfSizesWhilePainting() {
     QVERIFY(map->isChecked() && maps.measure() == Measure::Phi && !panel().isVisible());
     m_f->window().actions().pinTool->trigger();
     QVERIFY(!map->isChecked() && maps.measure() == before);
-    // Every value has its place in the range.
+    // Every value is within the range.
     const auto values = shownValues(m_f->session().motion(), Measure::CellSize);
     const MeasureRange range = rangeOf(values, Measure::CellSize);
     for (const double value : values) {

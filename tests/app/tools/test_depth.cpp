@@ -1,6 +1,6 @@
-// Which part lies in front where a shape covers itself: what is exported, what `wend run` writes on every
-// back end, the canvas and the ST map, against a composition that is written here, place by place of every
-// pixel, with other tests of what lies where.
+// The order of parts where a shape covers itself: the export, the output of `wend run` on every back end, the
+// canvas and the ST map are compared with an independent composition, which tests at every pixel's place
+// which cells contain it.
 #include <OpenImageIO/imageio.h>
 
 #include <QPainter>
@@ -61,7 +61,7 @@ std::vector<Vec2> pointsOf(const QPolygonF& polygon) {
     return points;
 }
 
-/// What is drawn of a bent shape. `orderOf`: of a place at rest.
+/// An independent drawing of a bent shape. `orderOf` returns the order of a place at rest.
 class Composition {
   public:
     using OrderOf = std::function<double(const QPointF&)>;
@@ -76,7 +76,7 @@ class Composition {
         }
     }
 
-    /// Associated; nothing where the source is not of one colour around.
+    /// Returns the associated colour, or nothing where the source is not of one colour around.
     std::optional<Colour> at(int x, int y) const {
         const std::vector<int> near = cellsNear(x, y);
         Colour sum = Colour::Zero();
@@ -93,7 +93,7 @@ class Composition {
             }
         return sum;
     }
-    /// Where the nearest cell has the pixel's centre from.
+    /// Returns the source place of the pixel's centre in the frontmost cell.
     std::optional<Vec2> nearestSource(int x, int y) const {
         for (const int cell : cellsNear(x, y))
             if (covers(cell, {x + 0.5, y + 0.5})) return sourceOf(cell, {x + 0.5, y + 0.5});
@@ -104,7 +104,8 @@ class Composition {
     Vec2 corner(const Points2& points, int cell, int k) const {
         return points.col(m_frame.rest->cells[static_cast<std::size_t>(cell)][static_cast<std::size_t>(k)]);
     }
-    /// From the nearest down: of greater order, then of greater number.
+    /// Returns the cells near the pixel from the front to the back: by order, then by number, the greater
+    /// first.
     std::vector<int> cellsNear(int x, int y) const {
         std::vector<int> near;
         for (int cell = m_frame.rest->cellCount(); cell-- > 0;) {
@@ -153,7 +154,7 @@ class Composition {
     std::vector<double> m_orders;
 };
 
-/// All that a point of the pose lies in.
+/// Returns all cells of the pose that contain the point.
 std::vector<int> cellsAt(const PosedFrame<2>& frame, const Vec2& p) {
     std::vector<int> cells;
     for (int c = 0; c < frame.rest->cellCount(); ++c) {
@@ -181,11 +182,11 @@ class TestDepth : public QObject {
     void crossingLimb();
     void orderIsUndone();
     void brushed();
-    void whatIsSeenIsTouched();
+    void clicksPickTheVisiblePart();
     void pinsInFrontArePicked();
-    void strokesLeaveWhatIsLarger();
+    void strokesKeepLargerLayers();
     void anotherMeshHasItsOwnOrder();
-    void mapsShowWhatLiesInFront();
+    void mapsShowTheFrontCells();
     void pinsBringTheirPart();
 
   private:
@@ -239,7 +240,7 @@ QString TestDepth::exported(ExportKind kind, const QString& name) {
     return path;
 }
 
-/// The project as it is saved, by the command line's own function.
+/// Runs the saved project by the command line's own function.
 QString TestDepth::run(BackEndKind backEnd) {
     const QString file = m_folder.filePath(QStringLiteral("saved.wend")),
                   picture = m_folder.filePath(QStringLiteral("run.png"));
@@ -268,7 +269,7 @@ void TestDepth::fileShows(const QString& path, const Composition& expected, cons
                 Colour(alpha * qRed(c), alpha * qGreen(c), alpha * qBlue(c), 255 * alpha) / 255;
             const double one = 255 * (found - *colour).abs().maxCoeff();
             most = std::max(most, one);
-            // Two levels of rounding; a place that lies on an edge to rounding may count otherwise.
+            // The tolerance is two levels of rounding; a place on an edge up to rounding may count otherwise.
             off += one > 2 ? 1 : 0;
         }
     QVERIFY2(compared > 60000, what);
@@ -278,7 +279,7 @@ void TestDepth::fileShows(const QString& path, const Composition& expected, cons
             QString("%1: %2 of %3 pixels are off, by up to %4").arg(what).arg(off).arg(compared).arg(most)));
 }
 
-/// At 100 %, over the ground that the canvas has by itself: what is exported, of the same part of the plane.
+/// At 100 %, over the canvas's own ground, the canvas equals the export of the same part of the plane.
 void TestDepth::canvasIsTheExport() {
     m_canvas.zoomTo(1);
     QVERIFY(QTest::qWaitFor([&] { return m_canvas.isSettled(); }, 60000));
@@ -328,7 +329,8 @@ void TestDepth::mapTells(const QString& path, const Composition& expected) {
             off += (told - *source).norm() > 0.05 ? 1 : 0;
         }
     QVERIFY(compared > 15000);
-    // On the borders of parts the map tells of the cell that shows most, not of the one at the centre.
+    // On the borders of parts the map gives the cell that covers most of the pixel, not the one at its
+    // centre.
     QVERIFY2(off < 0.01 * compared, qPrintable(QString::number(off)));
 }
 
@@ -363,7 +365,7 @@ void TestDepth::crossingLimb() {
     mapTells(exported(ExportKind::StMap, QStringLiteral("map.exr")), expected);
 }
 
-/// Undo brings the picture back, and nothing is computed for it: the frame stays the same.
+/// Undo restores the picture without computing: the frame stays the same.
 void TestDepth::orderIsUndone() {
     setDepth({});
     const auto picture = [&] { return QImage(exported(ExportKind::Picture, QStringLiteral("undo.png"))); };
@@ -381,7 +383,7 @@ void TestDepth::orderIsUndone() {
     QCOMPARE(m_session.motion().frame(), frame);
 }
 
-/// On the canvas, where the hand is seen now: what is brushed is the hand at rest.
+/// The stroke is over the visible place of the hand on the canvas and brushes the hand at rest.
 void TestDepth::brushed() {
     setDepth({layerWith("hand", 1, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});  // over the body
     Brush brush;
@@ -426,8 +428,8 @@ void TestDepth::brushed() {
     m_canvas.viewport().set(&Looks::hidden, true);
 }
 
-/// Of the hand and the body below the one that lies in front, whichever has the greater numbers.
-void TestDepth::whatIsSeenIsTouched() {
+/// Of the hand and the body below, a click picks the one in front, whichever has the greater numbers.
+void TestDepth::clicksPickTheVisiblePart() {
     for (const double order : {1.0, -1.0}) {
         setDepth({layerWith("hand", order, Ball<3>{{kHand.x(), kHand.y(), 0}, kHandRadius})});
         const auto touch = m_canvas.touch(m_canvas.onScreen(m_session.gestures().pins()[0].centre));
@@ -437,7 +439,7 @@ void TestDepth::whatIsSeenIsTouched() {
     }
 }
 
-/// The body has a pin a few pixels beside that of the hand: a click on either picks the one that is seen.
+/// The body has a pin a few pixels beside that of the hand: a click on either picks the visible one.
 void TestDepth::pinsInFrontArePicked() {
     setDepth({});
     const auto before = m_session.motion().frame<2>();
@@ -463,7 +465,7 @@ void TestDepth::pinsInFrontArePicked() {
                 if (view.handle == pin) place = view.centre;
             QCOMPARE(tool.handleAt(m_canvas.onScreen(place)), order > 0 ? 0 : body);
         }
-        // Beside the one that is seen, the other is within reach alone.
+        // Beside the visible pin, only the other one is within reach.
         const int other = order > 0 ? body : 0;
         QCOMPARE(tool.handleAt(m_canvas.toWidget(hand + Vec2(order > 0 ? 10 : -6, 0))), other);
     }
@@ -471,8 +473,8 @@ void TestDepth::pinsInFrontArePicked() {
     QVERIFY(settle(m_session));
 }
 
-/// Only what a stroke hides altogether goes.
-void TestDepth::strokesLeaveWhatIsLarger() {
+/// Only layers that a stroke hides completely are removed.
+void TestDepth::strokesKeepLargerLayers() {
     setDepth({layerWith("body", 2, Ball<3>{{200, 180, 0}, 60})});
     const ValueLayers& depth = m_session.document().depth();
     const auto small =
@@ -491,8 +493,8 @@ void TestDepth::anotherMeshHasItsOwnOrder() {
     }
 }
 
-/// Where two cells with colours that are far apart lie over each other, that of the upper one is seen.
-void TestDepth::mapsShowWhatLiesInFront() {
+/// Where two cells with very different colours overlap, that of the upper one is visible.
+void TestDepth::mapsShowTheFrontCells() {
     const auto frame = m_session.motion().frame<2>();
     const std::vector<double> values = cellValues(*frame, Measure::Angle);
     const MeasureRange range{0, rangeOf(values, Measure::Angle).high / 8};
@@ -518,7 +520,7 @@ void TestDepth::mapsShowWhatLiesInFront() {
         int compared = 0, wrong = 0;
         for (int y = 0; y < seen.height(); y += 2)
             for (int x = 0; x < seen.width(); x += 2) {
-                // The outline's pixels have something of both.
+                // The outline's pixels are a mixture of both.
                 if (!lieOver(x, y) || !lieOver(x + 1, y) || !lieOver(x, y + 1) || !lieOver(x + 1, y + 1))
                     continue;
                 const Vec2 p = m_canvas.toShape(QPointF(x + 0.5, y + 0.5) / seen.devicePixelRatio());
@@ -563,7 +565,7 @@ void TestDepth::pinsBringTheirPart() {
     QCOMPARE(of(project, 0), std::optional(-1.0));
     project = with(project, {0, 1}, 0);
     QVERIFY(project.depth.empty());
-    // Of two pins close to each other either takes no more than the half between them.
+    // Each of two pins close to each other takes at most the half between them.
     const Project near = with(withPin(project, Vec2(146, 41), "near"), {0}, 1);
     QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {134, 41}) < 0);
     QVERIFY(signedDistance<2>(inPlane(near.depth[0].regions[0].shape), {137, 41}) > 0);

@@ -8,7 +8,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What the eraser leaves of strokes and fills.
+/// The eraser removes parts of strokes and fills.
 class TestErasing : public PaintTest {
     Q_OBJECT
   private slots:
@@ -16,15 +16,15 @@ class TestErasing : public PaintTest {
     void cleanup() { m_f.reset(); }
     void erasedPlacesFollowTheShape_data() { dimensions(); }
     void erasedPlacesFollowTheShape();
-    void eraserTakesFromAllLayersThatAreSeen_data() { dimensions(); }
-    void eraserTakesFromAllLayersThatAreSeen();
+    void eraserChangesAllVisibleLayers_data() { dimensions(); }
+    void eraserChangesAllVisibleLayers();
     void halfAnEraserLeavesHalf_data() { dimensions(); }
     void layersErasedPieceByPieceGo();
     void layersHiddenInPartAreErased();
     void halfAnEraserLeavesHalf();
     void fillsAreTakenBack_data() { dimensions(); }
     void fillsAreTakenBack();
-    void linesGoRoundWhatIsErased();
+    void linesExcludeErasedParts();
 
   private:
     template <int Dim>
@@ -39,7 +39,7 @@ class TestErasing : public PaintTest {
 
 namespace {
 
-/// What the file's regions make of one value over another, cell by cell: a sum of our own.
+/// Computes the effect of the file's regions over another value, cell by cell, by an independent sum.
 template <int Dim>
 std::vector<double> expected(const PosedFrame<Dim>& frame, const std::vector<MaterialRegion>& regions,
                              double everywhere, double painted) {
@@ -72,7 +72,8 @@ void TestErasing::erasedPlacesFollowTheShape() {
     BOTH(followTheShape);
 }
 
-/// What is erased is as everywhere, whatever that becomes; with a soft edge, in the layer that was painted.
+/// An erased place has the value of its surroundings, even if that changes later; with a soft edge, in the
+/// painted layer.
 template <int Dim>
 void TestErasing::followTheShape() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -121,11 +122,11 @@ void TestErasing::followTheShape() {
     QVERIFY(text.contains("\"leaves\": 0") && text.count("\"phi\": 1.1") > 1);
 }
 
-void TestErasing::eraserTakesFromAllLayersThatAreSeen() {
+void TestErasing::eraserChangesAllVisibleLayers() {
     BOTH(takeFromAll);
 }
 
-/// Whatever the brush would paint; what is hidden stays, and a layer of which nothing is left goes.
+/// The eraser removes any value; hidden layers stay, and a layer with nothing left is removed.
 template <int Dim>
 void TestErasing::takeFromAll() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -171,7 +172,7 @@ void TestErasing::takeFromAll() {
     QVERIFY(undo() && isStiff(-0.9));
 }
 
-/// A file may hide a few regions of a layer: the others are erased as any paint.
+/// A file may hide a few regions of a layer: the others are erased as usual.
 void TestErasing::layersHiddenInPartAreErased() {
     QVERIFY(Bar<2>::open(*m_f));
     Document& document = m_f->session().document();
@@ -208,7 +209,7 @@ void TestErasing::halfAnEraserLeavesHalf() {
     BOTH(leaveHalf);
 }
 
-/// However many balls a stroke lays there; a second stroke leaves half of that.
+/// The amount does not depend on the number of balls in a stroke; a second stroke leaves half of the rest.
 template <int Dim>
 void TestErasing::leaveHalf() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -231,7 +232,7 @@ void TestErasing::fillsAreTakenBack() {
     BOTH(takeBackFills);
 }
 
-/// A fill is erased in part, and wholly by Ctrl; painted again there, it counts again.
+/// A fill is erased in part, and wholly by Ctrl; painting there again restores it.
 template <int Dim>
 void TestErasing::takeBackFills() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -254,9 +255,9 @@ void TestErasing::takeBackFills() {
     QVERIFY(std::ranges::all_of(phis<Dim>(), [](double one) { return one == 1.1; }));
 }
 
-/// Each point of the lines lies on a circle of the paint, outside of what is erased, or on one of an eraser,
+/// Each point of the lines is on a circle of the paint outside the erased parts, or on one of an eraser
 /// within the paint.
-void TestErasing::linesGoRoundWhatIsErased() {
+void TestErasing::linesExcludeErasedParts() {
     SimplicialMesh<2> rest;
     rest.points.resize(2, 3);
     rest.points << 0, 100, 0, 0, 0, 100;

@@ -8,7 +8,7 @@
 
 using namespace wend;
 
-/// How what is drawn over a shape meets the picture: the rim of maps, and lines on light and on dark.
+/// Overlays on a shape meet the picture correctly: the rim of maps, and lines on light and on dark.
 class TestOnShape : public QObject {
     Q_OBJECT
   private slots:
@@ -17,7 +17,7 @@ class TestOnShape : public QObject {
     void rimOfAPhotographIsItsOwn();
     void rimOfACutOutIsThePictures();
     void mapIsSeenOnTransparentGround();
-    void whatLiesInFrontIsSeenAlone();
+    void frontCellsHideOthers();
     void smoothMapsHaveTheSameRim();
     void linesAreSeenOnEveryGround_data();
     void linesAreSeenOnEveryGround();
@@ -30,7 +30,7 @@ namespace {
 constexpr QSize kSize(220, 200);
 constexpr int kSide = 12;  // cells
 
-/// A square of 120 pixels on a side in cells, two to each square of a grid.
+/// Returns a square of 120 pixels a side as a grid with two cells in each square.
 std::shared_ptr<const SimplicialMesh<2>> square() {
     auto mesh = std::make_shared<SimplicialMesh<2>>();
     mesh->points.resize(2, (kSide + 1) * (kSide + 1));
@@ -45,7 +45,7 @@ std::shared_ptr<const SimplicialMesh<2>> square() {
     return mesh;
 }
 
-/// Turned about its middle, which comes to that of the view.
+/// Rotates about its middle and moves that to the middle of the view.
 Points2 turned(const Points2& points, double degrees) {
     const double a = degrees * std::numbers::pi / 180;
     Mat2 turn;
@@ -55,7 +55,7 @@ Points2 turned(const Points2& points, double degrees) {
 
 using Polygon = std::vector<Vec2>;
 
-/// The part of a polygon where n·p ≤ d.
+/// Returns the part of a polygon where n·p ≤ d.
 Polygon clipped(const Polygon& polygon, const Vec2& n, double d) {
     Polygon part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -76,7 +76,7 @@ double areaOf(const Polygon& polygon) {
     return std::abs(twice) / 2;
 }
 
-/// What the turned square covers of a pixel, exactly.
+/// Returns the exact share of a pixel that the rotated square covers.
 double covered(const Points2& corners, int x, int y) {
     Polygon part{corners.col(0), corners.col(kSide), corners.col(corners.cols() - 1),
                  corners.col(kSide * (kSide + 1))};
@@ -87,7 +87,7 @@ double covered(const Points2& corners, int x, int y) {
     return areaOf(part);
 }
 
-/// A picture of one colour whose alpha goes by the place.
+/// Returns a picture of one colour whose alpha depends on the place.
 std::shared_ptr<const ScreenPicture> picture(QRgb colour,
                                              const std::function<double(double, double)>& alpha) {
     Image image;
@@ -109,7 +109,7 @@ double everywhere(double, double) {
     return 1;
 }
 
-/// Soft over four pixels.
+/// Returns the alpha of a disc with an edge of four pixels.
 double disc(double x, double y) {
     return std::clamp((50 - std::hypot(x - 60, y - 60)) / 4 + 0.5, 0.0, 1.0);
 }
@@ -142,7 +142,7 @@ void forPixels(const Check& check) {
         for (int x = 0; x < kSize.width(); ++x) check(x, y);
 }
 
-/// The greatest difference of the opacities of two images.
+/// Returns the greatest difference of the opacities of two images.
 int alphaOff(const QImage& a, const QImage& b) {
     int worst = 0;
     forPixels([&](int x, int y) {
@@ -153,8 +153,8 @@ int alphaOff(const QImage& a, const QImage& b) {
 
 }  // namespace
 
-/// Against the area of the turned square in each pixel, by cutting polygons. 8 × 8 places in a pixel tell it
-/// to within an eighth along an edge that goes by them, and far better in the mean.
+/// The rim is compared with the area of the rotated square in each pixel, by clipping polygons. 8 × 8 samples
+/// in a pixel give it to within an eighth along an edge that passes by them, and far better in the mean.
 void TestOnShape::rimIsWhatTheShapeCovers() {
     for (const double degrees : {0.0, 13.0, 45.0, 71.5}) {
         const RenderRequest request = turnedRequest(degrees);
@@ -181,7 +181,7 @@ void TestOnShape::rimOfAPhotographIsItsOwn_data() {
     QTest::newRow("with what the shape leaves out") << false << true;
 }
 
-/// The map changes colours, never what is opaque.
+/// The map changes colours, but not the alpha of opaque pixels.
 void TestOnShape::rimOfAPhotographIsItsOwn() {
     QFETCH(bool, smooth);
     QFETCH(bool, beside);
@@ -193,7 +193,7 @@ void TestOnShape::rimOfAPhotographIsItsOwn() {
     request.colours.smooth = smooth;
     const QImage mapped = RenderThread::render(request);
     QVERIFY2(alphaOff(plain, mapped) <= 2, qPrintable(QString::number(alphaOff(plain, mapped))));
-    // One colour, as far as it is opaque: no pixel of the rim is without the map.
+    // There is one colour, as far as the shape is opaque: no pixel of the rim is without the map.
     const QRgb inside = mapped.pixel(109, 98);
     forPixels([&](int x, int y) {
         const QRgb seen = qUnpremultiply(mapped.pixel(x, y));
@@ -215,7 +215,7 @@ void TestOnShape::rimOfACutOutIsThePictures() {
     QVERIFY2(alphaOff(plain, mapped) <= 2, qPrintable(QString::number(alphaOff(plain, mapped))));
 }
 
-/// Where the shape is more than what the picture shows its map is so, too.
+/// Where the shape extends beyond the visible picture, its map does too.
 void TestOnShape::mapIsSeenOnTransparentGround() {
     RenderRequest request = turnedRequest(13);
     request.picture = picture(qRgb(90, 160, 60), disc);
@@ -233,9 +233,9 @@ void TestOnShape::mapIsSeenOnTransparentGround() {
     QVERIFY(clear > 10000);
 }
 
-/// Two squares one over the other: the map of the front one covers the other's, and the line between them is
-/// as soft as the outline.
-void TestOnShape::whatLiesInFrontIsSeenAlone() {
+/// Two squares overlap: the map of the front one covers the other's, and the line between them is as soft as
+/// the outline.
+void TestOnShape::frontCellsHideOthers() {
     Points2 points(2, 8);
     points << 20, 150, 150, 20, 60.4, 110.4, 110.4, 60.4, 20, 20, 150, 150, 40, 60, 120, 100;
     const SimplicialMesh<2> mesh{points, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
@@ -251,7 +251,7 @@ void TestOnShape::whatLiesInFrontIsSeenAlone() {
         const bool inside = x >= 20 && x < 150 && y >= 20 && y < 150;
         QCOMPARE(qAlpha(image.pixel(x, y)), inside ? 128 : 0);
     });
-    // At (60, 70) the upper one begins at 60.4 and goes down by 20 in 50: six tenths of it, about.
+    // At (60, 70) the upper one begins at 60.4 and descends by 20 in 50: about six tenths of it.
     const QRgb edge = qUnpremultiply(image.pixel(60, 70));
     QVERIFY2(std::abs(qRed(edge) - 120) < 26 && std::abs(qBlue(edge) - 80) < 26,
              qPrintable(QColor(edge).name()));
@@ -296,8 +296,7 @@ void TestOnShape::linesAreSeenOnEveryGround_data() {
     }
 }
 
-/// In lightness they stand off what is below them, whatever that is, and whether it is the picture or what
-/// is seen where that has nothing.
+/// Lines contrast in lightness with any ground, in the picture and beside it.
 void TestOnShape::linesAreSeenOnEveryGround() {
     QFETCH(int, gray);
     QFETCH(bool, transparent);
@@ -314,7 +313,7 @@ void TestOnShape::linesAreSeenOnEveryGround() {
     QVERIFY2(most > 30, qPrintable(QString::number(most)));
 }
 
-/// On an even picture that a light ground surrounds no line is dark in one place and light in another.
+/// On a plain picture on a light ground no line is dark in one place and light in another.
 void TestOnShape::linesAreOfOneKindUpToTheOutline() {
     constexpr int kGray = 100;
     RenderRequest request = turnedRequest(0);
@@ -332,7 +331,7 @@ void TestOnShape::linesAreOfOneKindUpToTheOutline() {
     QVERIFY2(light > 500 && dark == 0, qPrintable(QString("%1, %2").arg(light).arg(dark)));
 }
 
-/// Where there is a line every other pixel, the picture is seen through them.
+/// With a line at every other pixel the picture is still visible.
 void TestOnShape::denseLinesAreNoVeil() {
     RenderRequest request = turnedRequest(0);
     request.picture = picture(qRgb(0, 0, 0), everywhere);

@@ -1,5 +1,5 @@
 // The outline of a picture drawn by hand, on the real canvas with mouse and keys: areas in closed form, one
-// undo step per gesture, what a new mesh keeps.
+// undo step per gesture, and the data that a new mesh keeps.
 
 #include <QPainter>
 #include <QUndoStack>
@@ -69,8 +69,8 @@ class TestOutlineTools : public QObject {
     void cutParts();
     void wandTakesAColour();
     void toleranceChangesTheLastClick();
-    void whatIsAtRestStays();
-    void theFirstStrokeSaysWhatItTakesAway();
+    void newOutlinesKeepPinsAndMaterial();
+    void theFirstStrokeReportsTheLostMargin();
     void pinsBesideItGo();
     void pinsOnTheLineStay();
     void noiseIsLeftOut();
@@ -140,7 +140,8 @@ void TestOutlineTools::click(double x, double y, Qt::KeyboardModifiers modifiers
     QTest::mouseClick(m_canvas.get(), Qt::LeftButton, modifiers, at(x, y));
 }
 
-/// Of the document's polygons and of the mesh, which has about as many vertices as wanted.
+/// Checks the area of the document's polygons and of the mesh, which has about the number of vertices aimed
+/// at.
 void TestOutlineTools::verify(double area, double tolerance, int parts) {
     QCOMPARE(domain().outline, OutlineKind::Polygons);
     const double drawn = areaOf(domain().polygons);
@@ -192,7 +193,7 @@ void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
     QVERIFY(m_tool->hint().contains(QStringLiteral("bend, too")));
     verify(100 * 80, 30);
     QCOMPARE(steps(), 1);
-    // What is drawn next is added, but no more than there is of the picture.
+    // The next drawing is added, up to the borders of the picture.
     draw({{140, 60}, {400, 60}, {400, 100}, {140, 100}});
     verify(100 * 80 + 150 * 40, 60);
     QCOMPARE(steps(), 2);
@@ -204,7 +205,7 @@ void TestOutlineTools::lassoOfAPhotographBecomesTheOutline() {
     QCOMPARE(domain().outline, OutlineKind::Frame);
 }
 
-/// The next side along one of eight ways, however the hand trembles.
+/// With Shift the next side follows one of eight directions, even if the pointer is unsteady.
 void TestOutlineTools::polygonsGoStraightWithShift() {
     use(OutlineTool::Shape::Polygon);
     click(50, 50);
@@ -227,7 +228,7 @@ void TestOutlineTools::polygonTakesAway() {
     QVERIFY(settle(*m_session));
     verify(kWidth * kHeight - 100 * 100 / 2.0, 30);
     QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
-    // Closed by a click on its first corner; Ctrl the other way round.
+    // A click on the first corner closes the polygon; Ctrl inverts its use.
     for (const QPointF& p : {QPointF(90, 40), QPointF(210, 40), QPointF(210, 160), QPointF(90, 40)})
         click(p.x(), p.y(), Qt::ControlModifier);
     QVERIFY(settle(*m_session));
@@ -253,7 +254,7 @@ void TestOutlineTools::cutParts() {
     use(OutlineTool::Shape::Cut);
     draw({{140.3, -10}, {152.7, 100}, {150, 210}});
     verify(kWidth * kHeight, 0.01 * kHeight, 2);
-    // Nothing of the picture is missing where it is parted.
+    // No part of the picture is lost at the cut.
     const Image& source = *m_session->document().picture();
     const auto frame = m_session->motion().frame<2>();
     const Image whole = converted(warpImage(source, *frame->rest, frame->pose, {source.width, source.height}),
@@ -264,7 +265,7 @@ void TestOutlineTools::cutParts() {
         loadRow(whole, y, row.data());
         for (int x = 0; x < whole.width; ++x) least = std::min(least, double(row[4 * x + 3]));
     }
-    // What either side covers of a pixel is rounded.
+    // The share of a pixel that either side covers is rounded.
     QVERIFY2(least > 1 - 5.0 / 255, qPrintable(QString::number(least)));
     QCOMPARE(m_session->document().undoStack()->undoText(), QStringLiteral("Cut"));
 }
@@ -289,7 +290,8 @@ void TestOutlineTools::wandTakesAColour() {
     verify(disc + 900, edge + 0.7 * 120, 2);
 }
 
-/// Until something else is done; the step stays one, and undo brings back what was before it.
+/// The tolerance changes the last click until something else is done; the step stays one, and undo restores
+/// the state before it.
 void TestOutlineTools::toleranceChangesTheLastClick() {
     use(OutlineTool::Shape::Wand);
     const double disc = std::numbers::pi * 60 * 60, edge = 0.7 * 2 * std::numbers::pi * 60;
@@ -306,7 +308,7 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
     QCOMPARE(steps(), 1);
     QVERIFY(settle(*m_session));
     verify(disc, edge);
-    // Another click is another step, and what was clicked before stays as it is now.
+    // Another click is another step, and the result of the earlier click stays as it is.
     m_pen.set({OutlineUse::Add, 20, 0.12});
     const double kept = areaOf(domain().polygons);
     click(35, 35);
@@ -326,8 +328,8 @@ void TestOutlineTools::toleranceChangesTheLastClick() {
     QCOMPARE(steps(), 1);
 }
 
-/// Pins, their motion and the material are told at rest: a new outline leaves them as they are.
-void TestOutlineTools::whatIsAtRestStays() {
+/// Pins, their motion and the material are given at rest: a new outline leaves them as they are.
+void TestOutlineTools::newOutlinesKeepPinsAndMaterial() {
     const int pin = m_session->addPin({200, 100, 0});
     QVERIFY(pin >= 0 && m_session->addPin({60, 100, 0}) >= 0);
     m_session->selection().set({pin});
@@ -355,8 +357,9 @@ void TestOutlineTools::whatIsAtRestStays() {
     QCOMPARE(m_session->document().project(), before);
 }
 
-/// A cut-out has a margin, an outline of one's own has none: that is told, and stands first in the tooltip.
-void TestOutlineTools::theFirstStrokeSaysWhatItTakesAway() {
+/// The outline of a cut-out has a margin, a drawn one has none: the notice says so, and the tooltip begins
+/// with it.
+void TestOutlineTools::theFirstStrokeReportsTheLostMargin() {
     m_session->document().open(openFile(writeCutOut(m_folder)));
     QVERIFY(settle(*m_session));
     m_canvas->zoomTo(2);
@@ -408,7 +411,7 @@ void TestOutlineTools::pinsOnTheLineStay() {
     QCOMPARE(designOf(*project).handles.size(), std::size_t(6));
 }
 
-/// Less than nine pixels of the picture are a slip of the hand.
+/// Parts of less than nine pixels of the picture are ignored.
 void TestOutlineTools::noiseIsLeftOut() {
     use(OutlineTool::Shape::Lasso);
     draw({{50, 40}, {150, 40}, {150, 120}, {50, 120}});
@@ -417,14 +420,14 @@ void TestOutlineTools::noiseIsLeftOut() {
     QCOMPARE(domain().polygons.loops.size(), std::size_t(1));
     draw({{200, 150}, {206, 150}, {206, 156}, {200, 156}});
     QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
-    // Two pixels of a corner, cut off.
+    // The piece cut off is a corner of two pixels.
     draw({{130, 30}, {148, 30}, {148, 42}, {160, 42}, {160, 60}, {130, 60}}, Qt::ControlModifier);
     QCOMPARE(domain().polygons.loops.size(), std::size_t(2));
     draw({{60, 130}, {60, 100}, {40, 100}, {40, 90}, {70, 90}, {70, 130}}, Qt::ControlModifier);
     QCOMPARE(domain().polygons.loops.size(), std::size_t(3));
 }
 
-/// A straight stroke of a lasso is a slip of the hand; a narrow band is none.
+/// A straight stroke of a lasso is ignored; a narrow band is not.
 void TestOutlineTools::linesAreNoParts() {
     use(OutlineTool::Shape::Lasso);
     QSignalSpy notices(&m_session->document(), &Document::notice);
@@ -436,7 +439,7 @@ void TestOutlineTools::linesAreNoParts() {
     QCOMPARE(notices.count(), 1);
 }
 
-/// Every corner of a star comes out where it was drawn, to a pixel of the screen.
+/// Every corner of a star is where it was drawn, to a pixel of the screen.
 void TestOutlineTools::drawnLinesAreKept() {
     std::vector<QPointF> star;
     for (int i = 0; i < 24; ++i) {
@@ -493,7 +496,7 @@ void TestOutlineTools::drawnAtRest() {
     QCOMPARE(m_session->playback().time(), 0.0);
 }
 
-/// As many vertices in all; the edges where it was brushed are about half as long as elsewhere.
+/// The total number of vertices stays; the edges where it was brushed are about half as long as elsewhere.
 void TestOutlineTools::finerWhereItIsBrushed() {
     Brush brush;
     brush.set({.radius = 80, .hardness = 1});  // 40 pixels of the picture

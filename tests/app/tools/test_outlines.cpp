@@ -45,8 +45,8 @@ std::vector<double> turningAngles(const std::vector<int>& loop, const Points2& p
     return angles;
 }
 
-/// In degrees: the change of the turning angle at every vertex of the outline, less its mean over the five
-/// vertices around, which a smooth bend has, too; root of the mean square.
+/// Returns the root mean square, in degrees, of the turning angle's change at every vertex of the outline,
+/// less its mean over the five vertices around, which a smooth bend has, too.
 double roughness(const SimplicialMesh<2>& rest, const Points2& pose) {
     constexpr int kHalf = 2;
     double squares = 0, count = 0;
@@ -88,7 +88,7 @@ class TestOutlines : public QObject {
     Q_OBJECT
 
   private slots:
-    /// A wave of ±a degrees from vertex to vertex and a smooth bend: the wave is what is measured.
+    /// The measure of a wave of ±a degrees from vertex to vertex plus a smooth bend is that of the wave.
     void measure() {
         constexpr int kCount = 400;
         SimplicialMesh<2> disc;
@@ -108,7 +108,7 @@ class TestOutlines : public QObject {
         QVERIFY(roughness(disc, disc.points) == 0);
         QVERIFY(roughness(disc, waved) > 0.5);
     }
-    /// With 20,000 vertices 0.5° and 3°; jumps of stress, the paper's kind, leave 9° and 13°.
+    /// With 20,000 vertices the values are 0.5° and 3°; jumps of stress, as in the paper, leave 9° and 13°.
     void strip() {
         const double rough = roughnessOf("strip", SmoothingKind::Invariant, 20000);
         qInfo("strip %.2f degrees", rough);

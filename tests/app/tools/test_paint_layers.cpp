@@ -13,7 +13,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What is painted as layers: gradients, fills, their order and names, and what is seen of them.
+/// Paint as layers: gradients, fills, their order, names and display.
 class TestPaintLayers : public PaintTest {
     Q_OBJECT
   private slots:
@@ -40,7 +40,8 @@ class TestPaintLayers : public PaintTest {
     void orderAndNames();
 };
 
-/// Over the picture as much of the energy's colour as design asks for; beside the stroke the bare picture.
+/// The energy's colour is over the picture with the intended opacity; beside the stroke the picture is
+/// unchanged.
 void TestPaintLayers::paintColoursThePicture() {
     QVERIFY(m_f->openPicture());
     ShapeCanvas& canvas = m_f->window().canvas();
@@ -107,7 +108,7 @@ void TestPaintLayers::blends() {
     m_f->window().actions().undo->trigger();
     QVERIFY(settle(session));
     QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
-    // Esc gives up, a click is no drag.
+    // Esc cancels, and a click is not a drag.
     stroke<Dim>({-0.5, 0}, {1, 0}, {}, false);
     QTest::keyClick(&canvas, Qt::Key_Escape);
     QTest::mouseRelease(&canvas, Qt::LeftButton);
@@ -151,7 +152,7 @@ void TestPaintLayers::fills() {
     stroke<Dim>({1, 0}, {1, 0});
     QVERIFY(std::abs(brush().now().phi - kEverywhere) < 1e-12);
     QVERIFY(undo() && regions<Dim>().size() == 2 && allAre(phi::kEquia));
-    // Saved and read it is the same.
+    // After saving and reading it is the same.
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("filled.wend"));
     session.document().save(path);
@@ -159,7 +160,7 @@ void TestPaintLayers::fills() {
     QCOMPARE(designOf(*saved).material.layers.size(), std::size_t(2));
 }
 
-/// The bar is cut in two: a click fills the half that it lies in, with Shift both.
+/// The bar is cut in two: a click fills the half at the pointer, with Shift both.
 void TestPaintLayers::fillsEndWithTheirPart() {
     QVERIFY(m_f->openPicture());
     auto& session = m_f->session();
@@ -217,7 +218,7 @@ void TestPaintLayers::orderAndNames() {
     panel.list()->currentItem()->setText(QStringLiteral("Neck"));
     QVERIFY(settle(session));
     QCOMPARE(layers().back(), std::string("Neck"));
-    // A name that there is already does not join the two.
+    // An existing name does not join the two layers.
     panel.list()->currentItem()->setText(panel.list()->item(1)->text());
     QVERIFY(settle(session));
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(2));
@@ -229,7 +230,7 @@ void TestPaintLayers::orderAndNames() {
     QCOMPARE(panel.list()->count(), 2);
 }
 
-/// Long in the direction that was combed, also when the shape has turned.
+/// The marks are long in the combed direction, also when the shape has rotated.
 void TestPaintLayers::marksLieAlongWhatIsStiff() {
     QVERIFY(m_f->openPicture());
     ShapeCanvas& canvas = m_f->window().canvas();
@@ -278,12 +279,12 @@ void TestPaintLayers::linesOfLayersAreTheirBorders() {
     };
     QVERIFY(check(stroke, 1e-9));
     QVERIFY(check({{{HalfSpace<3>{{50, 50, 0}, {1, 1, 0}}, 10}, 1.0}}, 1e-9));
-    // Corners of the band are round outside and cut inside.
+    // Corners of the band are rounded outside and sharp inside.
     const RestLines square = linesOf({{{Polygon{{{20, 20}, {80, 20}, {80, 80}, {20, 80}}}, 10}, 1.0}}, rest);
     QCOMPARE(square.border.size(), std::size_t(1));
     QCOMPARE(square.border[0].size(), std::size_t(5));
     QVERIFY(square.soft.size() >= 1);
-    // Carried by a shear, each point goes where its cell takes it; what leaves the shape is cut.
+    // Carried by a shear, each point follows its cell; parts outside the shape are clipped.
     Points2 pose = rest.points;
     pose.row(0) += 0.5 * rest.points.row(1);
     const PointLocator<2> locator(rest.points, rest.cells);
@@ -302,12 +303,12 @@ void TestPaintLayers::lineOfTheChosenLayerIsSeen() {
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&canvas, &leave);
     const QImage bare = canvas.grab().toImage();
-    // A stroke chooses its layer without the lines, which a click brings.
+    // A stroke chooses its layer without showing the lines; a click shows them.
     auto* list = m_f->window().properties().layers().list();
     QCOMPARE(list->currentRow(), 0);
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
     const QImage lined = canvas.grab().toImage();
-    // 40 pixels above the stroke.
+    // The place is 40 pixels above the stroke.
     const QPoint edge = canvas.toWidget(Bar<2>::place(0, 0)).toPoint() - QPoint(0, 40);
     bool seen = false;
     for (int y = -3; y <= 3; ++y)

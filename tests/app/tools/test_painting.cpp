@@ -28,7 +28,7 @@ double smooth(double t) {
 
 }  // namespace
 
-/// Painting the material by mouse and keys, on pictures and on solids from one body.
+/// Painting the material by mouse and keys: pictures and solids share one test body.
 class TestPainting : public PaintTest {
     Q_OBJECT
   private slots:
@@ -105,8 +105,8 @@ void TestPainting::strokesAreSoftRegions() {
     BOTH(softRegions);
 }
 
-/// Against the distance to the stroke's line: whole within the hard part, nothing beyond the brush, and in
-/// between what the balls of the file say, each laid upon the ones before.
+/// The amount depends on the distance to the stroke's line: full within the hard part, none beyond the brush,
+/// and in between that of the file's balls, each applied over the ones before.
 template <int Dim>
 void TestPainting::softRegions() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -168,7 +168,7 @@ void TestPainting::paintIsSeenAtOnce() {
     BOTH(seenAtOnce);
 }
 
-/// Before the button is released, and until the motion is there, what is shown is what will be.
+/// The painted value is shown before the button is released and until the motion is computed.
 template <int Dim>
 void TestPainting::seenAtOnce() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -192,7 +192,7 @@ void TestPainting::seenAtOnce() {
     QVERIFY(settle(session));
     QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
     m_f->picture(QStringLiteral("painted-%1").arg(Dim));
-    // The first of two strokes that follow each other at once stays.
+    // Of two strokes in quick succession the first is kept.
     stroke<Dim>({-1, 0.3}, {-0.5, 0.3});
     m_f->window().actions().undo->trigger();
     QVERIFY(posed<Dim>(canvas.shownFrame())->material->phi != plain || session.motion().isStale());
@@ -200,7 +200,7 @@ void TestPainting::seenAtOnce() {
     QVERIFY(session.motion().frame<Dim>()->material->phi == shown);
 }
 
-/// The left half of the bar has another energy, and the view shows what is painted.
+/// The left half of the bar has another energy, and the view shows the paint.
 template <int Dim>
 void TestPainting::paintHalf(double feather) {
     constexpr double kUnit = Bar<Dim>::kUnit;
@@ -216,7 +216,7 @@ void TestPainting::paintHalf(double feather) {
     QTRY_VERIFY(Bar<Dim>::canvas(*m_f).isSettled());
 }
 
-/// The colours that are seen along the bar from the left to the right.
+/// Returns the visible colours along the bar from the left to the right.
 template <int Dim>
 std::vector<Vec3> TestPainting::coloursAlong(double v) {
     auto& canvas = Bar<Dim>::canvas(*m_f);
@@ -235,7 +235,7 @@ std::vector<Vec3> TestPainting::coloursAlong(double v) {
     return colours;
 }
 
-/// Across a soft edge of what is painted the colours mix, without a jump from tetrahedron to tetrahedron.
+/// At a soft edge of the paint the colours mix without jumps between tetrahedra.
 void TestPainting::softPaintIsSeenSoft() {
     BOTH(seeSoft);
 }
@@ -256,8 +256,8 @@ void TestPainting::seeSoft() {
     }
 }
 
-/// Pixel by pixel as with another tool, on the surface and on the face of a cut: all of the solid while
-/// nothing is painted, afterwards what lies far from the paint.
+/// Unpainted parts look the same as with another tool, on the surface and on the face of a cut: all of the
+/// solid before painting, and the parts far from the paint afterwards.
 void TestPainting::unpaintedPartsOfSolidsStayAsTheyAre() {
     QVERIFY(Bar<3>::open(*m_f));
     SolidCanvas& canvas = m_f->canvas();
@@ -278,8 +278,8 @@ void TestPainting::unpaintedPartsOfSolidsStayAsTheyAre() {
     QVERIFY(with.copy(right) == without.copy(right));
 }
 
-/// Of a region without feather each cell is in or out: there is nothing between the two colours but the
-/// smoothed pixels of the edge, and no third one that the row of energies has between them.
+/// Each cell is inside or outside of a region without feather: there are only the two colours and the
+/// smoothed pixels of the edge, and no third colour from between them in the row of energies.
 void TestPainting::hardEdgesAreSharp() {
     BOTH(seeSharp);
 }
@@ -313,7 +313,7 @@ void TestPainting::combedPartsStretchLess() {
     BOTH(stretchLess);
 }
 
-/// How far the middle goes when the right end is pulled by a unit and the left one is held.
+/// Returns the displacement of the middle when the right end is pulled by a unit and the left one is held.
 template <int Dim>
 double TestPainting::middleMoves() {
     const auto frame = m_f->session().motion().frame<Dim>();
@@ -346,7 +346,7 @@ void TestPainting::stretchLess() {
     set([](BrushSettings& b) { b.ratio = 20, b.radius = 60, b.hardness = 0.8; });
     for (const double v : {-0.3, 0.0, 0.3}) stroke<Dim>({-1.8, v}, {-0.2, v});
     QVERIFY(settle(session));
-    // The axis is the stroke's, at rest.
+    // The axis is that of the stroke at rest.
     for (const auto& region : regions<Dim>()) {
         QVERIFY(region.stiffness && std::abs(region.stiffness->ratio - 20) < 1e-9);
         QVERIFY(std::abs(region.stiffness->axis.x()) > 0.98);
@@ -383,19 +383,19 @@ void TestPainting::eraseSmoothAndPick() {
     QTest::mouseClick(&canvas, Qt::LeftButton, Qt::AltModifier, middle);
     QCOMPARE(brush().now().phi, phi::conformal(Dim));
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
-    // Ctrl lays what is everywhere.
+    // Ctrl paints the value of the whole shape.
     constexpr double kDeep = Dim == 3 ? 2.2 : 1;  // the middle of a tetrahedron lies below the surface
     set([](BrushSettings& b) { b.radius = 40 * kDeep; });
     stroke<Dim>({0, 0}, {0.1, 0}, Qt::ControlModifier);
     QVERIFY(settle(session));
     QVERIFY(std::abs(phiAt(0) - kEverywhere) < 1e-9);
     QCOMPARE(phiAt(-1.2), phi::conformal(Dim));
-    // Shift lays what is around: between the two.
+    // Shift smooths: the result is between the two values.
     set([](BrushSettings& b) { b.radius = 80 * kDeep; });
     stroke<Dim>({0, 0}, {0.1, 0}, Qt::ShiftModifier);
     QVERIFY(settle(session));
     QVERIFY(phiAt(0.05) > kEverywhere + 0.02 && phiAt(0.05) < phi::conformal(Dim) - 0.02);
-    // Half of the amount: half way on the slider, so from Angle to Length at Rigid.
+    // Half of the amount is half way on the slider, so from Angle to Length at Rigid.
     const double before = phiAt(-1.2);
     set([](BrushSettings& b) { b.phi = phi::kMetr, b.amount = 0.5, b.radius = 30 * kDeep; });
     stroke<Dim>({-1.2, 0}, {-1.2, 0});
@@ -406,7 +406,7 @@ void TestPainting::eraseSmoothAndPick() {
 
 namespace {
 
-/// A pen as Qt tells of one: its own event, and where the widget leaves that, the pointer's made of it.
+/// A pen as Qt reports it: its own event and, if the widget ignores that, the pointer event made from it.
 class Pen {
   public:
     explicit Pen(QWidget& widget) : m_widget(widget) {}
@@ -447,8 +447,8 @@ void TestPainting::penPressureScalesTheAmount() {
     BOTH(pressPen);
 }
 
-/// A stroke that is pressed with 0.2 at its beginning and 0.8 at its end: φ lies so far between what was
-/// there and what is painted, on the slider's scale. Without the switch, and by mouse, it is painted wholly.
+/// A stroke pressed with 0.2 at its beginning and 0.8 at its end: φ is at that fraction between the old and
+/// the painted value, on the slider's scale. Without the switch, and by mouse, it is painted fully.
 template <int Dim>
 void TestPainting::pressPen() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -507,8 +507,8 @@ void TestPainting::shiftClicksDrawLines() {
     BOTH(drawLines);
 }
 
-/// A click, then one with Shift elsewhere: the balls lie on the segment between the two, without gaps, as one
-/// step. With Shift and drawn it smooths as before.
+/// A click and another one with Shift: the balls fill the segment between the two without gaps, as one step.
+/// With Shift and a drag, the brush smooths as before.
 template <int Dim>
 void TestPainting::drawLines() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -585,8 +585,7 @@ void TestPainting::keysChooseAStop() {
     BOTH(chooseStops);
 }
 
-/// In the step that paints; a tool that does not lay what is kept gives way to the brush, one that does
-/// stays.
+/// In the step Paint a tool that cannot paint the kept value is replaced by the brush; one that can stays.
 template <int Dim>
 void TestPainting::chooseStops() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -616,8 +615,8 @@ void TestPainting::altRightDragChangesTheTip() {
     BOTH(dragTip);
 }
 
-/// To the right and up: larger and harder, as the circle shows that stays where it was pressed. Nothing is
-/// painted, no menu comes, the view does not turn. Esc takes it back.
+/// A drag to the right and up makes the brush larger and harder, as the circle at the press shows. It paints
+/// nothing, opens no menu and does not rotate the view. Esc reverts it.
 template <int Dim>
 void TestPainting::dragTip() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -665,7 +664,7 @@ void TestPainting::eraserTakesPaintAway() {
     BOTH(erase);
 }
 
-/// As the brush with Ctrl; its key is that of another tool in the other steps.
+/// The tool works as the brush with Ctrl; its key means another tool in the other steps.
 template <int Dim>
 void TestPainting::erase() {
     QVERIFY(Bar<Dim>::open(*m_f) && setEverywhere<Dim>(1.1));
@@ -703,7 +702,7 @@ void TestPainting::directionsOfStiffness() {
     BOTH(chooseDirections);
 }
 
-/// What is stiff already keeps its direction under the brush of stiffness, and its amount under the comb.
+/// A stiff part keeps its direction under the brush of stiffness, and its amount under the comb.
 template <int Dim>
 void TestPainting::chooseDirections() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -739,7 +738,7 @@ void TestPainting::chooseDirections() {
     Vec<Dim> slanted = Vec<Dim>::Zero();
     slanted.template head<2>() << 0.6, 0.8;
     QVERIFY(axisIs(slanted, 5));
-    // Half of the amount on what is not stiff yet: (I + (I + 8 a aᵀ)) / 2.
+    // Half of the amount on a part that is not stiff yet: (I + (I + 8 a aᵀ)) / 2.
     set([](BrushSettings& b) { b.ratio = 9, b.amount = 0.5; });
     stroke<Dim>({1.8, 0}, {1.8, 0});
     QVERIFY(settle(session));
@@ -754,8 +753,8 @@ void TestPainting::directionsAreCarriedBackToRest() {
     BOTH(carryDirections);
 }
 
-/// The bar as a whole turns by a right angle, then goes to the right and up: each place takes the direction
-/// of that part of the way that it lies at, as the bar at rest has it.
+/// The bar is rotated as a whole by a right angle; the stroke then runs to the right and up. Each place takes
+/// the direction of the nearest part of the stroke, in the bar's coordinates at rest.
 template <int Dim>
 void TestPainting::carryDirections() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -791,7 +790,7 @@ void TestPainting::carryDirections() {
         const Vec3 axis = done ? regions<Dim>().back().stiffness->axis : Vec3(Vec3::Zero());
         return Vec<Dim>(axis.template head<Dim>());
     };
-    // At rest right was up before the turn, up (turned from right, the one or the other way round) right.
+    // At rest, right was up before the rotation, and up (rotated from right, with either sign) was right.
     const Vec<Dim> corner = middle + kStep * right;
     QVERIFY((now - kStep * (right + up)).norm() < 0.05 * kStep);
     QVERIFY(std::abs(paintedAt(corner - 0.25 * kStep * right + 0.1 * kStep * up).dot(up)) > 0.99);

@@ -26,7 +26,7 @@ class TestPen : public QObject {
     void doubleClicksEnd();
     void otherPathsGoOnBeside();
     void selectedPinsGoTogether();
-    void whatCannotMoveIsNotDrawn();
+    void noPathIsDrawnForFixedPins();
     void otherChangesGiveUp();
     void turnedViewsLeadIntoDepth();
     void shiftKeepsToSteps_data() { pictureAndSolid(); }
@@ -69,7 +69,7 @@ void TestPen::pictureAndSolid() {
     QTest::newRow("solid") << 3;
 }
 
-/// With a pin at either end, the pen chosen and nothing selected.
+/// Opens the file with a pin at either end, the pen chosen and nothing selected.
 bool TestPen::open(int dimension) {
     if (!m_f->openProject(dimension, 400)) return false;
     ShapeSession& session = m_f->session();
@@ -115,7 +115,7 @@ int TestPen::motions(int h) {
     return static_cast<int>(isSolid() ? handle<3>(h).motions.size() : handle<2>(h).motions.size());
 }
 
-/// The control points of the last curve, as they are seen.
+/// Returns the control points of the last curve on the screen.
 std::vector<QPointF> TestPen::path(int h) {
     std::vector<QPointF> seen;
     if (isSolid()) {
@@ -134,7 +134,7 @@ void TestPen::isPath(const std::vector<QPointF>& expected) {
         QVERIFY2(QLineF(seen[i], expected[i]).length() < 1, qPrintable(QString::number(i)));
 }
 
-/// A corner and a smooth end: both are where the mouse was, and the pin gets there. One step.
+/// A corner and a smooth end are where the mouse was, and the pin arrives there, in one step.
 void TestPen::pointsBecomeThePath() {
     QFETCH(int, dimension);
     QVERIFY(open(dimension));
@@ -166,7 +166,7 @@ void TestPen::pointsBecomeThePath() {
     QCOMPARE(motions(1), 0);
 }
 
-/// By Backspace, by what undoes elsewhere, and all of it by Esc.
+/// Backspace and Undo remove the last point; Esc removes the whole path.
 void TestPen::partsOfAPathAreTakenBack() {
     QFETCH(int, dimension);
     QVERIFY(open(dimension));
@@ -194,7 +194,7 @@ void TestPen::partsOfAPathAreTakenBack() {
     QVERIFY(m_f->session().selection().isEmpty());
 }
 
-/// The second click on a point sets no other one.
+/// The second click on a point adds no further one.
 void TestPen::doubleClicksEnd() {
     QFETCH(int, dimension);
     QVERIFY(open(dimension));
@@ -209,8 +209,8 @@ void TestPen::doubleClicksEnd() {
     QCOMPARE(steps(), before + 1);
 }
 
-/// From the same time they move together; at the end of what was timed a path makes the film longer, as any
-/// drag does.
+/// Paths that begin at the same time move together; at the end of timed motions a path makes the film longer,
+/// as any drag does.
 void TestPen::otherPathsGoOnBeside() {
     QVERIFY(open(2));
     const auto draw = [this](int h, const QPoint& by) {
@@ -260,8 +260,8 @@ void TestPen::selectedPinsGoTogether() {
     }
 }
 
-/// Beside all pins, with none selected, and from one that is locked; both are said.
-void TestPen::whatCannotMoveIsNotDrawn() {
+/// Nothing is drawn beside all pins with none selected, or from a locked pin; a message says so.
+void TestPen::noPathIsDrawnForFixedPins() {
     QVERIFY(open(2));
     QSignalSpy told(&m_f->session().document(), &Document::notice);
     click(pin(1) + QPoint(-60, 0));
@@ -281,7 +281,7 @@ void TestPen::whatCannotMoveIsNotDrawn() {
     QVERIFY(told.last().first().toString().isEmpty());
 }
 
-/// Another time, another tool, another change of the project: nothing of the path is left.
+/// Changing the time, the tool or the project removes the unfinished path.
 void TestPen::otherChangesGiveUp() {
     QVERIFY(open(2));
     const QPoint start = pin(1);
@@ -302,7 +302,7 @@ void TestPen::otherChangesGiveUp() {
     QCOMPARE(motions(1), 0);
 }
 
-/// A path in space: the view is turned between its points, each of which lies as deep as the one before.
+/// The view is rotated between the points of a path in space, each of which is as deep as the one before.
 void TestPen::turnedViewsLeadIntoDepth() {
     QVERIFY(open(3));
     const Vec3 start = m_f->pin(1);
@@ -320,8 +320,8 @@ void TestPen::turnedViewsLeadIntoDepth() {
     QVERIFY(std::abs(points[6].z() - points[3].z()) < 1e-6 && std::abs(points[6].y() - start.y()) > 0.1);
 }
 
-/// 7 pixels beside the straight way down: the point is on it. What is pulled near the diagonal, from where
-/// the pointer is, is the point's direction along the diagonal.
+/// 7 pixels beside a vertical line, the point is on the line. Pulling near the diagonal gives the point a
+/// direction along the diagonal.
 void TestPen::shiftKeepsToSteps() {
     QFETCH(int, dimension);
     QVERIFY(open(dimension));
@@ -335,7 +335,7 @@ void TestPen::shiftKeepsToSteps() {
     isPath({start, start + (in - start) / 3, in, end});
 }
 
-/// From when Alt is down, the direction behind the point stays.
+/// From the press of Alt on, the direction behind the point stays.
 void TestPen::altBreaksAPoint() {
     QFETCH(int, dimension);
     QVERIFY(open(dimension));

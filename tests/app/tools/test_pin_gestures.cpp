@@ -1,5 +1,5 @@
-// What the hand does with the pin tool, on pictures and on solids from one body: pins that are set and
-// dragged at once, chosen by what is drawn beside them, widened, and dragged along an axis by a number.
+// Gestures of the pin tool, with pictures and solids in one test body: pins set and dragged at once, chosen
+// by drawing beside them, widened, and dragged along an axis by a number.
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -23,8 +23,8 @@ class TestPinGestures : public QObject {
     void cleanup() { m_f.reset(); }
     void dragsFromTheBareShapeSetAPin_data() { dimensions(); }
     void dragsFromTheBareShapeSetAPin();
-    void newPinsThatAreGivenUpAreGone_data() { dimensions(); }
-    void newPinsThatAreGivenUpAreGone();
+    void cancelledNewPinsAreRemoved_data() { dimensions(); }
+    void cancelledNewPinsAreRemoved();
     void otherDragsDrawAnOutline_data() { dimensions(); }
     void otherDragsDrawAnOutline();
     void viewsThatTheLeftButtonTurnsAreTurned();
@@ -46,8 +46,8 @@ class TestPinGestures : public QObject {
     void shiftKeepsItStraight();
     void otherFilesBeginAnew_data() { dimensions(); }
     void otherFilesBeginAnew();
-    void whatLiesUnderAStillPointerIsToldAnew_data() { dimensions(); }
-    void whatLiesUnderAStillPointerIsToldAnew();
+    void hintsUnderAStillPointerAreUpdated_data() { dimensions(); }
+    void hintsUnderAStillPointerAreUpdated();
     void choosingHowToSelectKeepsThePinTool();
     void pointsAreWidenedByANumber_data() { dimensions(); }
     void pointsAreWidenedByANumber();
@@ -164,7 +164,7 @@ void TestPinGestures::dragsFromTheBareShapeSetAPin() {
     BOTH(setAndDrag);
 }
 
-/// One step with a name: undone, nothing is left of it; redone, the shape is as it was bent.
+/// The gesture is one step with a name: undo removes it completely, redo restores the bent shape.
 template <int Dim>
 void TestPinGestures::setAndDrag() {
     QVERIFY(open<Dim>({-1.5}));
@@ -181,7 +181,7 @@ void TestPinGestures::setAndDrag() {
     QCOMPARE(undo().undoText(), QStringLiteral("Add Pin 2"));
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     const auto& canvas = Bar<Dim>::canvas(*m_f);
-    // Where the hand has it.
+    // The pin is at the pointer.
     const QPointF now = canvas.toWidget(pin<Dim>(1)), hand = from + way;
     QVERIFY2(QLineF(now, hand).length() < 2, qPrintable(QString::number(QLineF(now, hand).length())));
     const Points<Dim> bent = session().motion().frame<Dim>()->pose;
@@ -200,7 +200,7 @@ void TestPinGestures::setAndDrag() {
     QCOMPARE(undo().count(), steps + 2);
 }
 
-void TestPinGestures::newPinsThatAreGivenUpAreGone() {
+void TestPinGestures::cancelledNewPinsAreRemoved() {
     BOTH(giveUp);
 }
 
@@ -218,7 +218,7 @@ void TestPinGestures::giveUp() {
     QCOMPARE(undo().count(), steps);
     QVERIFY(!undo().canRedo());
     QVERIFY(session().document().project() == before);
-    // Another file in the middle of one: its steps are its own.
+    // When another file is opened in the middle of a gesture, only the new file's steps are undone.
     press(at<Dim>(1));
     moveBy(at<Dim>(1), {0, -50});
     undo().setClean();  // nothing is asked
@@ -233,7 +233,7 @@ void TestPinGestures::otherDragsDrawAnOutline() {
     BOTH(drawBeside);
 }
 
-/// With Shift, with the tool that selects, and beside the shape: none sets a pin.
+/// With Shift, with the selection tool, or beside the shape a press sets no pin.
 template <int Dim>
 void TestPinGestures::drawBeside() {
     QVERIFY(open<Dim>({-1.5, 1.5}));
@@ -251,7 +251,7 @@ void TestPinGestures::drawBeside() {
     QCOMPARE(session().pins().count(), 2);
 }
 
-/// A click is the tool's all the same.
+/// The tool still gets clicks.
 void TestPinGestures::viewsThatTheLeftButtonTurnsAreTurned() {
     QVERIFY(open<3>({}));
     m_f->actions().vtkKeys->trigger();
@@ -279,7 +279,8 @@ void TestPinGestures::outlinesChoosePins() {
     dimension == 2 ? choose<2>(kind) : choose<3>(kind);
 }
 
-/// By a way around the middle pin, along two sides: a lasso and a brush leave out what its box has in it.
+/// The stroke passes around the middle pin along two sides: a lasso and a brush leave out pins that only
+/// their bounding box contains.
 template <int Dim>
 void TestPinGestures::choose(DrawnOutline::Kind kind) {
     using enum DrawnOutline::Kind;
@@ -290,7 +291,8 @@ void TestPinGestures::choose(DrawnOutline::Kind kind) {
     QVERIFY(action->isVisible() && action->isEnabled());
     m_f->tool("select")->trigger();  // beside a pin the other one would set more
     action->trigger();
-    // From the left pin's upper side along the upper edge to the right one, and down to it.
+    // The stroke starts at the left pin's upper side, follows the upper edge to the right pin, and descends
+    // to it.
     const QList<QPoint> way = {at<Dim>(-0.5, 0.45), at<Dim>(0.5, 0.45), at<Dim>(0.5, -0.05)};
     press(way[0]);
     moveBy(way[0], way[1] - way[0]);
@@ -307,8 +309,8 @@ void TestPinGestures::partsAreGrabbed() {
     dimension == 2 ? grab<2>(kind) : grab<3>(kind);
 }
 
-/// What is drawn over is one handle, there to be dragged; with Shift more joins it, with Ctrl that leaves it.
-/// Where nothing of the shape is drawn over that is told, and nothing changes.
+/// A drawn area is one handle, ready to be dragged; Shift adds to it and Ctrl removes from it. An area
+/// without any of the shape gives a message and changes nothing.
 template <int Dim>
 void TestPinGestures::grab(DrawnOutline::Kind kind) {
     using enum DrawnOutline::Kind;
@@ -356,7 +358,7 @@ void TestPinGestures::pinsAreWidened() {
     BOTH(widen);
 }
 
-/// To a circle, or a ball, that reaches to the pointer.
+/// The pin becomes a circle or a ball that reaches to the pointer.
 template <int Dim>
 void TestPinGestures::widen() {
     QVERIFY(open<Dim>({-1.5, 0.0}));
@@ -373,7 +375,7 @@ void TestPinGestures::widen() {
     QVERIFY2(std::abs(ball->radius - 70 * pixel) < 2 * pixel,
              qPrintable(QString::number(ball->radius / pixel)));
     QVERIFY((ball->centre - inSpace(middle)).norm() < 1e-9 * session().motion().frame()->diagonal);
-    // One that is wide rotates.
+    // A wide pin rotates.
     QVERIFY(session().gestures().pins()[1].points.size() > 1);
     undo().undo();
     QVERIFY(drag(from, {4, 0}, Qt::AltModifier));  // nothing lies so near
@@ -385,7 +387,7 @@ void TestPinGestures::pointsWidenToRotateAndScale() {
     BOTH(widenByGrip);
 }
 
-/// A point becomes a disc or a ball in the step of the drag that rotates or scales it.
+/// A point becomes a disc or a ball in the same step as the drag that rotates or scales it.
 template <int Dim>
 void TestPinGestures::widenByGrip() {
     QVERIFY(open<Dim>({-1.5, 0.0}));
@@ -394,7 +396,8 @@ void TestPinGestures::widenByGrip() {
         session().selection().set({1});
         const int steps = undo().index();
         grip->trigger();
-        // In the plane anywhere; in space along a ring of the manipulator: the widest is across the screen.
+        // In the plane the drag may begin anywhere; in space it starts on a ring of the manipulator, the
+        // widest of which is across the screen.
         const QPoint middle = Bar<Dim>::canvas(*m_f).toWidget(pin<Dim>(1)).toPoint();
         const int radius = grip == pins().turn ? 86 : 68;
         QVERIFY(drag(middle + QPoint(0, -radius), {40, 20}));
@@ -422,7 +425,7 @@ double fittedAngle(const std::vector<Vec3>& before, const std::vector<Vec3>& aft
     return std::atan2(cross, dot);
 }
 
-/// The angle of the shape around a pin.
+/// Returns the angle of the shape around a pin.
 double TestPinGestures::angleAround(int handle, double reach) {
     const auto frame = session().motion().frame<2>();
     std::vector<Vec3> before, after;
@@ -434,7 +437,7 @@ double TestPinGestures::angleAround(int handle, double reach) {
     return fittedAngle(before, after);
 }
 
-/// The angle of the points that a pin holds.
+/// Returns the angle of the points that a pin holds.
 double TestPinGestures::angleOf(int handle) {
     const PinView view = session().gestures().pins()[static_cast<std::size_t>(handle)];
     std::vector<Vec3> before;
@@ -442,7 +445,7 @@ double TestPinGestures::angleOf(int handle) {
     return fittedAngle(before, view.points);
 }
 
-/// From the dotted ring of a point by a quarter: all of its disc is rotated by that, exactly.
+/// A drag of a point's dotted ring by a quarter rotates its whole disc by exactly that.
 void TestPinGestures::ringsRotatePoints() {
     QVERIFY(open<2>({-1.5, 0.0}));
     session().selection().set({1});
@@ -462,7 +465,7 @@ void TestPinGestures::ringsRotatePoints() {
     QVERIFY((pin<2>(1) - inPlane(ball.centre)).norm() < 0.5 * ball.radius);  // the mean of its vertices
 }
 
-/// The angle that the bent shape has at a point is that of the disc; without it the pin is a point again.
+/// The disc has the angle of the bent shape at the point; without the disc the pin is a point again.
 void TestPinGestures::pinsHoldTheirAngle() {
     QVERIFY(open<2>({-1.5, 0.0, 1.5}));
     const QPoint end = Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint();
@@ -481,7 +484,7 @@ void TestPinGestures::pinsHoldTheirAngle() {
     QVERIFY2(std::abs(after - before) < 0.1, qPrintable(QString("%1 %2").arg(before).arg(after)));
     const double held = angleOf(1);
     QVERIFY2(std::abs(held - before) < 0.1, qPrintable(QString("%1 %2").arg(before).arg(held)));
-    // The end goes on, the disc does not rotate with it.
+    // The end moves on, and the disc does not rotate with it.
     session().selection().set({2});
     const QPoint next = Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint();
     QVERIFY(drag(next, {-60, 40}));
@@ -492,8 +495,8 @@ void TestPinGestures::pinsHoldTheirAngle() {
     QVERIFY(std::holds_alternative<std::vector<Vec3>>(session().document().design().handles[1].at));
 }
 
-/// While the ring of a point is dragged the shape is where the motion will lead it: the angle that it has
-/// there is not added again.
+/// While the ring of a point is dragged the preview already has the rotation of the motion: its angle there
+/// is not added again.
 void TestPinGestures::pointsTurnOnFromTheirAngle() {
     QVERIFY(open<2>({-1.5, 0.0, 1.5}));
     QVERIFY(drag(Bar<2>::canvas(*m_f).toWidget(pin<2>(2)).toPoint(), {-30, 90}));
@@ -521,7 +524,7 @@ void TestPinGestures::axesAndNumbers() {
     BOTH(lock);
 }
 
-/// X keeps a drag to that axis, a number says how far; Y (Z) the same again.
+/// X restricts a drag to that axis, a number gives the distance; Y and Z do the same.
 template <int Dim>
 void TestPinGestures::lock() {
     QVERIFY(open<Dim>({-1.5, 1.5}));
@@ -547,7 +550,8 @@ void TestPinGestures::lock() {
     }
 }
 
-/// Of a mesh from a file, whose y points up, as of a picture, whose y points down.
+/// The arrows follow the screen both for a mesh from a file, whose y points up, and for a picture, whose y
+/// points down.
 void TestPinGestures::arrowsFollowTheScreen() {
     const QString path = m_f->folder().filePath(QStringLiteral("square.obj"));
     QFile file(path);
@@ -568,7 +572,8 @@ void TestPinGestures::arrowsFollowTheScreen() {
     QVERIFY((pin<2>(1) - place - Vec2(0, 10 * session().motion().pixel())).norm() < 1e-9);
 }
 
-/// Along the nearest of eight ways of the screen, also when it is held from the start, which lets nothing go.
+/// The drag follows the nearest of eight directions of the screen, also if the key is held from the start,
+/// which releases nothing.
 template <int Dim>
 void TestPinGestures::straight() {
     QVERIFY(open<Dim>({0.2, 0.8}));
@@ -598,7 +603,7 @@ void TestPinGestures::shiftKeepsItStraight() {
     BOTH(straight);
 }
 
-/// With what a drag does everywhere, and with nothing under the pointer that was the last file's.
+/// The hint has the modifiers of a drag, and nothing under the pointer from the previous file.
 template <int Dim>
 void TestPinGestures::anew() {
     QVERIFY(open<Dim>({0.2, 0.8}));
@@ -617,7 +622,7 @@ void TestPinGestures::otherFilesBeginAnew() {
     BOTH(anew);
 }
 
-/// A pin that is undone under it, and one that comes back.
+/// A pin is undone under the pointer, and one is restored.
 template <int Dim>
 void TestPinGestures::stillPointer() {
     QVERIFY(open<Dim>({0.2, 0.8}));
@@ -633,7 +638,7 @@ void TestPinGestures::stillPointer() {
     QVERIFY2(hint().startsWith(QStringLiteral("Drag to move the pin")), qPrintable(hint()));
 }
 
-void TestPinGestures::whatLiesUnderAStillPointerIsToldAnew() {
+void TestPinGestures::hintsUnderAStillPointerAreUpdated() {
     BOTH(stillPointer);
 }
 
@@ -641,7 +646,8 @@ void TestPinGestures::pointsAreWidenedByANumber() {
     BOTH(widenByNumber);
 }
 
-/// A point has a radius of 0; too small a one is told, and not taken. 0 makes a point of a circle or a ball.
+/// A point has a radius of 0; a radius that is too small is refused with a message. 0 makes a point of a
+/// circle or a ball.
 template <int Dim>
 void TestPinGestures::widenByNumber() {
     QVERIFY(open<Dim>({0.2, 0.8}));
@@ -683,7 +689,7 @@ void TestPinGestures::grabbingBrushHasItsSizeBesideItsName() {
     BOTH(sizeBeside);
 }
 
-/// The field, the keys and the circle are one number.
+/// The field, the keys and the circle share one number.
 template <int Dim>
 void TestPinGestures::sizeBeside() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -708,7 +714,7 @@ void TestPinGestures::sizeBeside() {
     QVERIFY(held(100) > few);
 }
 
-/// It selects, too; from any other tool one comes to the one that selects.
+/// The pin tool also selects; every other tool is replaced by the selection tool.
 void TestPinGestures::choosingHowToSelectKeepsThePinTool() {
     QVERIFY(Bar<2>::open(*m_f));
     m_f->tool("pin")->trigger();

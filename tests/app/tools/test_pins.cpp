@@ -1,5 +1,5 @@
-// What the list of pins, the menus and the keys do with pins beside moving them, on pictures and on solids
-// from one body: locked, hidden, grouped, linked, mirrored, coloured; and what a click picks.
+// Pins in the list, the menus and by keys, with pictures and solids in one test body: locked, hidden,
+// grouped, linked, mirrored, coloured; and which pin a click picks.
 #include <QComboBox>
 #include <QInputDialog>
 #include <QJsonArray>
@@ -134,7 +134,7 @@ void TestPins::click(const QPoint& where, Qt::KeyboardModifiers modifiers) {
     QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, where);
 }
 
-/// By one of them alone.
+/// A single one of them suffices.
 template <int Dim>
 bool TestPins::drag(int handle, const QPoint& by) {
     auto& canvas = Bar<Dim>::canvas(*m_f);
@@ -159,7 +159,7 @@ void TestPins::lockedPinsStay() {
     BOTH(lock);
 }
 
-/// By a click on its padlock: neither dragged, nor nudged, nor removed, until another click.
+/// A click on its padlock locks a pin: it is neither dragged, nor nudged, nor removed, until another click.
 template <int Dim>
 void TestPins::lock() {
     QVERIFY(open<Dim>());
@@ -197,7 +197,8 @@ void TestPins::hiddenPinsHoldOn() {
     BOTH(hide);
 }
 
-/// It is not drawn and not picked, and the shape is held there to the last digit while another one moves.
+/// A hidden pin is neither drawn nor picked, and the shape is held there to the last digit while another one
+/// moves.
 template <int Dim>
 void TestPins::hide() {
     QVERIFY(open<Dim>());
@@ -241,7 +242,7 @@ void TestPins::group() {
     QTreeWidget& tree = *list().list();
     QCOMPARE(tree.topLevelItemCount(), 3);
     session().selection().set({0, 2});
-    // A name is offered; who types another one replaces it, and then it is kept.
+    // A name is offered; typing replaces it, and the typed name is kept.
     QStringList offered;
     const auto typed = [&](const QString& keys) {
         withNext<QInputDialog>(this, [&offered, keys](QInputDialog& dialog) {
@@ -298,7 +299,7 @@ void TestPins::linkedPinsMoveTogether() {
     BOTH(link);
 }
 
-/// One is dragged, the other goes as far, in one step back; the third stays.
+/// One pin is dragged, and the linked one moves as far, in one undo step; the third stays.
 template <int Dim>
 void TestPins::link() {
     QVERIFY(open<Dim>());
@@ -331,8 +332,8 @@ void TestPins::mirrorImagesMoveAsInAMirror() {
     BOTH(mirror);
 }
 
-/// The bar is its own mirror image: a pin left of the middle that was dragged gets one at the right, which
-/// moves the other way along the bar and the same way across it; so does the shape.
+/// The bar is its own mirror image: a dragged pin left of the middle gets one at the right, which moves in
+/// the opposite direction along the bar and in the same across it, and so does the shape.
 template <int Dim>
 void TestPins::mirror() {
     QVERIFY(open<Dim>());
@@ -424,7 +425,7 @@ void TestPins::waysArePickedAndSnapIsAChoice() {
     BOTH(pick);
 }
 
-/// A click on a way selects its pin; new pins sit where one clicks, or on a corner of the mesh.
+/// A click on a path selects its pin; new pins are placed at the click, or on a corner of the mesh.
 template <int Dim>
 void TestPins::pick() {
     QVERIFY(open<Dim>());
@@ -459,7 +460,8 @@ void TestPins::keysSetPins() {
     BOTH(setByKeys);
 }
 
-/// With nothing selected: the cross begins in the middle of the shape and goes five pixels with each press.
+/// The cursor begins in the middle of the shape if nothing is selected, and moves five pixels with each
+/// press.
 template <int Dim>
 void TestPins::setByKeys() {
     QVERIFY(Bar<Dim>::open(*m_f));
@@ -494,7 +496,7 @@ void TestPins::marksAreAsLargeAsChosen() {
     BOTH(enlarge);
 }
 
-/// As they are seen and as they are taken hold of; at once, and in the next window, too.
+/// The size changes both the drawing and the hit area, at once and in the next window.
 template <int Dim>
 void TestPins::enlarge() {
     QVERIFY(open<Dim>());
@@ -536,7 +538,7 @@ void TestPins::enlarge() {
 
 namespace {
 
-/// The longest row of pixels that something is painted in.
+/// Returns the longest row of painted pixels.
 int widest(const std::function<void(QPainter&)>& paint) {
     QImage image(900, 400, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
@@ -555,8 +557,8 @@ int widest(const std::function<void(QPainter&)>& paint) {
 
 }  // namespace
 
-/// Along x: an arrow of 15 pixels with its round ends and light rim of 3.5, and an ellipse of the ratio 4,
-/// whose tips are narrower than a pixel.
+/// The field along x has an arrow of 15 pixels with round ends and a light rim of 3.5, and an ellipse of the
+/// ratio 4, whose tips are narrower than a pixel.
 void TestPins::fieldsAndLabelsAreAsLargeAsChosen() {
     QVERIFY(open<2>());
     ShapeCanvas& canvas = m_f->window().canvas();
@@ -618,7 +620,7 @@ void TestPins::glyphsAreAsLargeAsChosen() {
     }
 }
 
-/// Their rim is as wide as chosen, half of it on either side.
+/// Their rim has the chosen width, half of it on either side.
 void TestPins::brushesKeepTheirRadius() {
     QVERIFY(open<2>());
     Brush tip;

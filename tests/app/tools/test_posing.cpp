@@ -149,7 +149,7 @@ void TestPosing::widen(int handle, double radius) {
     QVERIFY(std::holds_alternative<Region<3>>(handles()[handle].at));
 }
 
-/// On the screen, from the middle of a pin.
+/// Returns a point on the screen, relative to the middle of a pin.
 QPoint TestPosing::ringSpot(int handle, int dx, int dy) {
     return at(pin(handle)) + QPoint(dx, dy);
 }
@@ -159,7 +159,7 @@ QMenu* TestPosing::menuAt(const Vec2& p) {
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
 
-/// For looking at.
+/// Saves a screenshot for inspection.
 void TestPosing::picture(const QString& name) {
     if (!qEnvironmentVariableIsSet("WEND_TEST_PICTURES")) return;
     QVERIFY(QTest::qWaitFor([&] { return canvas().isSettled(); }, 20000));
@@ -211,7 +211,7 @@ void TestPosing::dragAfterScrubbingGoesOnFromThere() {
     QCOMPARE(toJson(project()), after);
 }
 
-/// It is there to be dragged where it was set, and holds from then on; nothing before it changes.
+/// The pin can be dragged where it was set, and holds from then on; nothing before it changes.
 void TestPosing::pinsAreSetAtTheTimeThatIsShown() {
     drag({200, 80}, {200, 120});
     scrub(0.5);
@@ -288,7 +288,8 @@ void TestPosing::regionsAreDraggedFromInside() {
     QCOMPARE(handles().size(), std::size_t(2));
 }
 
-/// Whichever was made first; a rectangle takes them by any of their points.
+/// The smallest region is taken, whichever was made first; a rectangle selects regions by any of their
+/// points.
 void TestPosing::smallestRegionIsTaken() {
     const auto box = [this](const Vec2& from, const Vec2& to) {
         m_window->tools().action(QStringLiteral("rectangle"))->trigger();
@@ -311,7 +312,7 @@ void TestPosing::smallestRegionIsTaken() {
     QCOMPARE(taken({115, 89}), std::vector<int>{2});
     QCOMPARE(taken({142, 90}), std::vector<int>{3});
     QCOMPARE(taken({113.5, 83}), std::vector<int>{4});
-    // Over the right end of the large one, far from all middles.
+    // The press is over the right end of the large one, far from all middles.
     QTest::mousePress(&canvas(), Qt::LeftButton, {}, at({165, 40}));
     QTest::mouseMove(&canvas(), at({150, 100}));
     QTest::mouseMove(&canvas(), at({138, 110}));
@@ -319,7 +320,7 @@ void TestPosing::smallestRegionIsTaken() {
     QCOMPARE(session().selection().handles(), std::vector<int>{3});
 }
 
-/// The picture inside is the same with the pins hidden, until it is pointed at.
+/// The picture inside is the same with the pins hidden, until the pointer is over it.
 void TestPosing::regionsVeilNothing() {
     widen(1, 24);
     QTest::keyClick(&canvas(), Qt::Key_Escape);
@@ -372,7 +373,7 @@ void TestPosing::ringRotatesAndScales() {
     QCOMPARE(session().document().undoStack()->count(), count);
 }
 
-/// By the keys of solids; the drag may begin anywhere, also on the pin and in its very middle.
+/// The keys are those of solids; the drag may begin anywhere, also on the pin and in its very middle.
 void TestPosing::dragsTurnAndScaleAsChosen() {
     widen(1, 18);
     const auto* row = m_window->findChild<OptionRow*>();
@@ -389,7 +390,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QVERIFY(turn && std::abs(turn->angle - std::numbers::pi / 2) < 0.01);
     QCOMPARE(session().selection().handles(), std::vector<int>{1});
     QCOMPARE(handles().size(), count);
-    // From the very middle: the direction counts once it is one.
+    // From the very middle, the direction counts once there is one.
     press(ringSpot(1, -3, 2), ringSpot(1, 60, 0));
     QVERIFY(session().gestures().drag() && std::abs(session().gestures().drag()->amount()[0]) < 0.05);
     QTest::mouseMove(&canvas(), ringSpot(1, 52, 30));
@@ -411,7 +412,7 @@ void TestPosing::dragsTurnAndScaleAsChosen() {
     QVERIFY((pin(1) - centre - Vec2(-10, 5)).norm() < 1);
 }
 
-/// A drag beside a point makes it a small disc; Esc, or one step back, makes it a point again.
+/// A drag beside a point makes it a small disc; Esc or one undo makes it a point again.
 void TestPosing::pointsBecomeDiscs() {
     session().selection().set({1});
     const Vec2 before = pin(1);
@@ -435,7 +436,7 @@ void TestPosing::pointsBecomeDiscs() {
     QTRY_COMPARE(pin(1), before);
 }
 
-/// The same exact steps as for solids, by the panel.
+/// The panel makes the same exact steps as for solids.
 void TestPosing::numbersMoveTurnAndGrow() {
     widen(1, 18);
     auto* panel = m_window->findChild<HandlePanel*>();
@@ -477,8 +478,8 @@ void TestPosing::numbersMoveTurnAndGrow() {
                 .contains(QLocale().toString(pin(1).x(), 'g', 5)));
 }
 
-/// A drag shares the film by the ways; what was timed otherwise keeps its times, and the film becomes longer,
-/// which is said.
+/// A drag divides the film in proportion to the lengths of the paths; motions with a timing of their own keep
+/// their times, and the film becomes longer, with a notice.
 void TestPosing::ownTimingIsKept() {
     const auto told = [&] {
         return m_window->statusBar()->currentMessage().contains(QStringLiteral("keeps its times"));
@@ -587,7 +588,7 @@ void TestPosing::partsAreHeldByOutlines_data() {
     QTest::newRow("brush") << int(Qt::Key_U) << 0;
 }
 
-/// What lies in it is one handle from then on, which a drag from inside moves as it is.
+/// The outlined part becomes one handle, which a drag from inside moves without a rotation.
 void TestPosing::partsAreHeldByOutlines() {
     QFETCH(int, key);
     QFETCH(int, modifier);
@@ -640,7 +641,7 @@ void TestPosing::partsGrowAndShrink() {
     QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("No part of the shape")));
 }
 
-/// Chosen in the list, moved by the arrows, renamed and removed.
+/// A pin is chosen in the list, moved by the arrows, renamed and removed.
 void TestPosing::pinsByKeyboard() {
     auto* list = m_window->findChild<QTreeWidget*>(QStringLiteral("pinList"));
     QVERIFY(list && list->isVisible());

@@ -1,5 +1,5 @@
-// Whatever a hand does, in whatever order and in the middle of whatever else: the document stays one that can
-// be written and read, and every step leads back to where it came from.
+// After any gestures, in any order and interrupted by any others, the document can be written and read, and
+// every step can be undone and redone.
 #include <QInputDialog>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,9 +16,9 @@
 using namespace wend;
 using namespace wend::test;
 
-/// WEND_GESTURES says how many gestures are made with each seed, WEND_SEED which seed is the first and
-/// WEND_SEEDS how many follow; with any of them, each deed is told as it is done. (A thousand gestures take
-/// longer than a test function may by default: QTEST_FUNCTION_TIMEOUT, in milliseconds, gives them more.)
+/// WEND_GESTURES gives the number of gestures for each seed, WEND_SEED the first seed and WEND_SEEDS the
+/// number of seeds; with any of them, each gesture is printed. (A thousand gestures take longer than a test
+/// function may by default: QTEST_FUNCTION_TIMEOUT, in milliseconds, gives them more.)
 class TestRandomGestures : public QObject {
     Q_OBJECT
   private slots:
@@ -72,7 +72,7 @@ void TestRandomGestures::documentStaysWhole_data() {
             QTest::addRow("%s, seed %d", dimension == 2 ? "picture" : "solid", seed) << dimension << seed;
 }
 
-/// Told is what was done last, by the seed that is in the row's name.
+/// A failure prints the last gestures and the seed in the row's name.
 void TestRandomGestures::documentStaysWhole() {
     QFETCH(int, dimension);
     QFETCH(int, seed);
@@ -110,7 +110,7 @@ void TestRandomGestures::documentStaysWhole() {
     if (dimension == 3) QVERIFY(posed<3>(frame)->pose == posed<3>(atRest)->pose);
 }
 
-/// Nothing is lost when it is written and read, and what is selected exists.
+/// Checks that nothing is lost in writing and reading, and that the selection exists.
 QString TestRandomGestures::wrongInDocument() {
     const std::vector<int> selected = session().selection().handles();
     const int handles = session().pins().count();
@@ -131,7 +131,7 @@ QString TestRandomGestures::wrongInDocument() {
     return {};
 }
 
-/// What is shown of the document, and what can be done with it, is of the document.
+/// Checks that everything shown, and every available command, belongs to the document.
 QString TestRandomGestures::wrongInWindow() {
     const MainWindow& window = m_f->window();
     if (window.isWindowModified() == stack().isClean()) return QStringLiteral("the title's star");
@@ -148,7 +148,8 @@ QString TestRandomGestures::wrongInWindow() {
     return {};
 }
 
-/// A shape has numbers, as many as it has vertices, and pins are somewhere; also while it follows the hand.
+/// Checks that a shape has finite coordinates, as many as vertices, and that pins have places, also during a
+/// drag.
 QString TestRandomGestures::wrongInShape() {
     const auto wrong = [](const auto& frame, const auto& pins) -> QString {
         if (!frame) return {};
@@ -163,7 +164,7 @@ QString TestRandomGestures::wrongInShape() {
                : wrong(session().motion().frame<3>(), session().gestures().pins());
 }
 
-/// Every step is looked at as it is gone: back and forth it leads to where it led before.
+/// Records every step, and checks that undo and redo lead to the recorded documents.
 void TestRandomGestures::keepSteps() {
     m_steps = {{0, session().document().project()}};
     m_lost.clear();
@@ -185,7 +186,7 @@ void TestRandomGestures::takeStep(int index) {
     }
 }
 
-/// A hand may well ask for a mesh that takes minutes: it is taken back.
+/// A random gesture may request a mesh that takes minutes: it is undone.
 void TestRandomGestures::staySmall() {
     const auto frame = session().motion().frame();
     while (stack().canUndo() &&
@@ -195,7 +196,7 @@ void TestRandomGestures::staySmall() {
     }
 }
 
-/// One by one, down to what was opened and up to what was last.
+/// Undoes one by one to the opened file, and redoes to the last gesture.
 void TestRandomGestures::undoAndRedo() {
     stack().setIndex(stack().count());
     const std::string last = toJson(m_f->project());
@@ -210,7 +211,7 @@ void TestRandomGestures::undoAndRedo() {
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
 }
 
-/// What cannot be computed is said and done with, too.
+/// Returns whether the shape settles; a motion that cannot be computed and was reported counts as settled.
 bool TestRandomGestures::settles(const char* where) {
     const bool settled = QTest::qWaitFor([&] { return !session().motion().isBusy(); }, 120000);
     if (!settled) qWarning("%s it computes for ever: %s", where, toJson(m_f->project()).c_str());

@@ -69,7 +69,7 @@ void TestSpaceAreas::ringsTurn() {
         }
         return most * 180 / M_PI;
     };
-    // The ring around y looks at us: 68 pixels. The others cross it at its right and upper end.
+    // The ring around y faces the viewer: 68 pixels. The others cross it at its right and upper end.
     const QPoint c = centre();
     const auto onRing = [&](double degrees) {
         const double a = degrees * M_PI / 180;
@@ -140,7 +140,7 @@ void TestSpaceAreas::keysLockAxes() {
     const Vec3 way = m_f->pin(1) - before;
     QVERIFY(way.x() < -20 * m_f->canvas().pixelSize(before));
     QVERIFY(std::abs(way.y()) < 1e-9 && std::abs(way.z()) < 1e-9);
-    // A turn that was begun around y goes on around x.
+    // A rotation begun around y continues around x.
     QTest::keyClick(&m_f->canvas(), Qt::Key_R);
     const auto held = m_f->session().pins().verticesOf(1);
     const Vec3 middle = m_f->pin(1), corner = heldAt(held.front());
@@ -275,11 +275,11 @@ void TestSpaceAreas::sizesAndValuesAreTold() {
     QVERIFY(text("measurePoint").contains(QStringLiteral("-0.5")));
     m_f->picture(QStringLiteral("measures"));
     QTest::mouseMove(&m_f->canvas(), QPoint(4, 4));
-    // The pointer is the server's.
+    // The X server determines the pointer's place.
     QVERIFY(QTest::qWaitFor([&] { return text("measureCell").isEmpty(); }, 20000));
 }
 
-/// At a time between frames' neighbours the difference of poses is off; the field is not.
+/// Between the times of frames the difference of poses deviates; the field does not.
 void TestSpaceAreas::velocityIsTheFieldItself() {
     QVERIFY(m_f->holdEnds());
     ShapeSession& session = m_f->session();
@@ -345,7 +345,7 @@ void TestSpaceAreas::stiffAlongStrokeViewAndNumbers() {
     for (const Vec3& axis : axes(2)) QVERIFY((axis - Vec3(0, 0.6, 0.8)).norm() < 1e-9);
     QVERIFY(!m_f->session().motion().frame<3>()->material->anisotropy.empty());
     QCOMPARE(m_f->session().document().design().material.layers.size(), std::size_t(1));
-    // Another ratio leaves every direction of a stroke as it is.
+    // Another ratio leaves every direction of a stroke unchanged.
     const auto before = axes(0);
     QVERIFY(before.size() > 1);
     MaterialLayer changed = m_f->session().document().design().material.layers[0];

@@ -43,7 +43,7 @@ void TestSpaceTools::init() {
     QVERIFY(m_f->open());
 }
 
-/// The right end goes up and to the side along a curve.
+/// Moves the right end up and sideways along a curve.
 bool TestSpaceTools::makeCurve() {
     if (!m_f->holdEnds()) return false;
     m_f->session().gestures().moveAtOnce(Grip{}, {-0.4, 0, 1});
@@ -68,7 +68,7 @@ void TestSpaceTools::doubleClickInsertsACurvePoint() {
     QTest::mouseDClick(&m_f->canvas(), Qt::LeftButton, {}, where);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(curve().size(), std::size_t(7));
-    // The new joint lies on the old curve, which is straight here: half way within a pixel.
+    // The new joint is on the old curve, which is straight here: at half of it within a pixel.
     QVERIFY((curve()[3] - before.value(0.5)).norm() < 2 * m_f->canvas().pixelSize(curve()[3]));
     QCOMPARE(m_f->handles().size(), handles);
     QVERIFY((m_f->session().motion().frame<3>()->pose - shape).norm() < 0.01 * shape.norm());
@@ -99,7 +99,7 @@ void TestSpaceTools::curveKindsByMenuAndShortcut() {
     actions.insert->trigger();
     QVERIFY(settle(m_f->session()));
     QVERIFY(actions.automatic->isChecked() || actions.aligned->isChecked());
-    // The direction behind the joint, dragged across the curve: the other one turns.
+    // The direction behind the joint is dragged across the curve: the other one rotates with it.
     m_f->drag(m_f->at(curve()[4]), m_f->at(curve()[4]) + QPoint(40, 0));
     QVERIFY(settle(m_f->session()));
     const auto opposite = [&] {
@@ -117,7 +117,7 @@ void TestSpaceTools::curveKindsByMenuAndShortcut() {
     QTest::keyClick(&m_f->canvas(), Qt::Key_2, Qt::AltModifier);
     QVERIFY(settle(m_f->session()));
     QVERIFY(opposite() < 1e-9);
-    // Ctrl leads one direction alone.
+    // With Ctrl a drag moves one direction alone.
     const auto before = curve();
     m_f->press(m_f->at(curve()[2]), Qt::ControlModifier);
     for (int i = 1; i <= 5; ++i) {
@@ -150,7 +150,7 @@ void TestSpaceTools::rightClickOpensTheCurvesMenu() {
     QVERIFY(!menu->isVisible());
 }
 
-/// A frame turns the end with the curve; twist and scale come on top, and the frames are drawn.
+/// A frame rotates the end with the curve; twist and scale are applied on top, and the frames are drawn.
 void TestSpaceTools::twistAndScaleByThePanel() {
     QVERIFY(makeCurve());
     auto* panel = m_f->window().findChild<HandlePanel*>();
@@ -182,8 +182,8 @@ void TestSpaceTools::twistAndScaleByThePanel() {
     m_f->picture(QStringLiteral("frames"));
 }
 
-/// Of the cut and of what is selected: in the step in which solids are cut the cut's, elsewhere that of the
-/// tool, and the cut's again where that has none.
+/// One manipulator is shown, that of the cut or of the selection: in the step in which solids are cut the
+/// cut's, elsewhere that of the tool, or the cut's if the tool has none.
 void TestSpaceTools::oneManipulatorIsShown() {
     QVERIFY(m_f->holdEnds());
     Toolbox& tools = *m_f->window().findChild<Toolbox*>();
@@ -216,7 +216,7 @@ void TestSpaceTools::outlinesSelectByAnyPoint_data() {
     for (const char* outline : {"rectangle", "lasso", "brush"}) QTest::newRow(outline) << outline;
 }
 
-/// The ends' marks are in their middle; their front edges are caught all the same.
+/// The ends' marks are in their middle; their front edges are selected all the same.
 void TestSpaceTools::outlinesSelectByAnyPoint() {
     QFETCH(QString, outline);
     QVERIFY(m_f->holdEnds());
@@ -239,7 +239,7 @@ void TestSpaceTools::outlinesSelectByAnyPoint() {
     QCOMPARE(m_f->session().selection().handles(), std::vector<int>({1}));
 }
 
-/// By shortcuts, from another tool.
+/// The modes are chosen by shortcuts, from another tool.
 void TestSpaceTools::outlinesShowTheirMode() {
     QAction* select = m_f->window().actions().selectTool;
     const QPoint over = m_f->at({0, -0.5, 0});

@@ -15,8 +15,8 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What comes between the hand and the 3D window: another mesh, undo, frames while something is typed,
-/// presses that mean two things.
+/// Interruptions of gestures in the 3D window: another mesh, undo, frames while a number is typed, ambiguous
+/// presses.
 class TestSpaceUpsets : public QObject {
     Q_OBJECT
   private slots:
@@ -24,14 +24,14 @@ class TestSpaceUpsets : public QObject {
     void cleanup() { m_f.reset(); }
     void anotherMeshEndsTheGesture_data();
     void anotherMeshEndsTheGesture();
-    void whatIsNoFrameIsNotHeld();
+    void surfacesWithoutAFrameAreNotHeld();
     void pinsOnTheCurveAreTaken_data();
     void pinsOnTheCurveAreTaken();
     void undoEndsTheDragOfACurvePoint();
     void chosenPointsStayWithTheirCurve();
-    void closedLassoTakesWhatItEncircles();
+    void closedLassoSelectsItsInside();
     void takingAwayFromNothingIsTold();
-    void framesLeaveWhatIsTyped();
+    void framesKeepTypedText();
     void untouchedNumbersKeepTheirDigits();
     void untouchedAxesKeepTheirDigits();
 
@@ -50,7 +50,7 @@ void TestSpaceUpsets::init() {
     QVERIFY(m_f->open());
 }
 
-/// The right end goes up and to the side along a curve.
+/// Moves the right end up and sideways along a curve.
 bool TestSpaceUpsets::makeCurve() {
     if (!m_f->holdEnds()) return false;
     m_f->session().gestures().moveAtOnce(Grip{}, {-0.4, 0, 1});
@@ -59,7 +59,7 @@ bool TestSpaceUpsets::makeCurve() {
     return settle(m_f->session()) && curve().size() == 4;
 }
 
-/// Of the visible ones of the panel, in the order of the screen.
+/// Returns the visible ones of the panel, in the order of the screen.
 template <class Panel>
 ExactBox* TestSpaceUpsets::box(int index) {
     std::vector<ExactBox*> seen;
@@ -78,7 +78,7 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture_data() {
     for (const char* tool : {"rectangle", "lasso", "brush", "paint", "ball"}) QTest::newRow(tool) << tool;
 }
 
-/// What was gathered are numbers of the finer mesh.
+/// The gathered vertices have numbers of the finer mesh.
 void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QFETCH(QString, tool);
     const auto coarse = m_f->session().document().project();
@@ -104,8 +104,8 @@ void TestSpaceUpsets::anotherMeshEndsTheGesture() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// A file's surface may be seen while the frame is still that of the mesh before.
-void TestSpaceUpsets::whatIsNoFrameIsNotHeld() {
+/// A file's surface may be shown while the frame is still that of the mesh before.
+void TestSpaceUpsets::surfacesWithoutAFrameAreNotHeld() {
     const QPoint where = m_f->at({1, -0.5, 0.1});
     QVERIFY(m_f->canvas().pick(where).cell >= 0);
     const Surface ball = test::box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 40);
@@ -130,7 +130,7 @@ void TestSpaceUpsets::pinsOnTheCurveAreTaken_data() {
     QTest::newRow("on the way") << 0.5;
 }
 
-/// A click that selects and the press that drags may come as a double click.
+/// The click that selects and the press that drags may arrive as a double click.
 void TestSpaceUpsets::pinsOnTheCurveAreTaken() {
     QFETCH(double, time);
     QVERIFY(makeCurve());
@@ -161,7 +161,7 @@ void TestSpaceUpsets::undoEndsTheDragOfACurvePoint() {
     QVERIFY(m_f->session().document().undoStack()->canRedo());  // no step of its own
 }
 
-/// Two handles with curves of as many points; the first one goes.
+/// Two handles have curves of as many points; the first handle is removed.
 void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     QVERIFY(m_f->holdEnds());
     for (const int handle : {0, 1}) {
@@ -184,7 +184,7 @@ void TestSpaceUpsets::chosenPointsStayWithTheirCurve() {
     QVERIFY(!m_f->canvas().viewport().tool()->ownsKey(key));
 }
 
-void TestSpaceUpsets::closedLassoTakesWhatItEncircles() {
+void TestSpaceUpsets::closedLassoSelectsItsInside() {
     QVERIFY(m_f->holdEnds());
     const std::size_t before = m_f->session().pins().verticesOf(1).size();
     m_f->tool("lasso")->trigger();
@@ -208,7 +208,7 @@ void TestSpaceUpsets::takingAwayFromNothingIsTold() {
     QVERIFY(m_f->handles().empty());
 }
 
-void TestSpaceUpsets::framesLeaveWhatIsTyped() {
+void TestSpaceUpsets::framesKeepTypedText() {
     QVERIFY(makeCurve());
     m_f->session().addHandle(Ball<3>{{0, 0, 0}, 0.6}, "Region");
     QVERIFY(settle(m_f->session()));
@@ -272,7 +272,7 @@ void TestSpaceUpsets::untouchedAxesKeepTheirDigits() {
     const auto stiffness = m_f->session().document().design().material.layers[0].regions[0].stiffness;
     QVERIFY(stiffness && stiffness->ratio == 7);
     QVERIFY(stiffness->axis == axis);
-    // Only what is stiff counts, whichever comes first.
+    // Only stiff regions count, in any order.
     const auto values = [&](const auto& all) { return valuesOf(regions(all).material.layers[0]); };
     using All = std::vector<std::optional<Stiffness>>;
     QVERIFY(values(All{{}, Stiffness{axis, 2}, Stiffness{axis, 3}}).oneAxis);

@@ -150,7 +150,7 @@ void TestWindowPins::deleteRemoves() {
     QVERIFY(!m_window->actions().remove->isEnabled());
     m_window->actions().undo->trigger();
     QCOMPARE(pinCount(), std::size_t(2));
-    // All at once, and back in one step.
+    // All are deleted at once, and restored in one step.
     click(120, 80);
     m_window->actions().selectAll->trigger();
     QCOMPARE(m_window->session().selection().handles(), std::vector<int>({0, 1, 2}));
@@ -170,7 +170,7 @@ void TestWindowPins::clickBesideTheShapeSaysSo() {
     QVERIFY(!m_window->statusBar()->currentMessage().contains(QStringLiteral("outside")));
 }
 
-/// A pin that is let go of stays to be seen, selected and removed.
+/// A released pin stays visible and can be selected and removed.
 void TestWindowPins::handlesThatAreGoneCanBeFound() {
     open();
     QVERIFY(bend());
@@ -200,7 +200,7 @@ void TestWindowPins::undoInADragLeavesTheWindowWhole() {
     QCOMPARE(pinCount(), std::size_t(1));
 }
 
-/// Two pins, the right one moved along a curve.
+/// Opens a picture with two pins, the right one moved along a curve.
 bool TestWindowPins::openWithCurve() {
     open();
     click(40, 80);
@@ -212,7 +212,7 @@ bool TestWindowPins::openWithCurve() {
     return moved;
 }
 
-/// Below a selected pin lies its curve.
+/// The curve is below its selected pin.
 void TestWindowPins::doublePressTakesThePinOnItsCurve() {
     QVERIFY(openWithCurve());
     m_window->session().playback().setTime(0.5);
@@ -246,7 +246,7 @@ void TestWindowPins::menusWaitForTheGesture() {
     QCOMPARE(menus.count(), 1);
 }
 
-/// A dragged pin's way becomes a curve; its points are dragged, inserted and deleted.
+/// A dragged pin's path becomes a curve; its points are dragged, inserted and deleted.
 void TestWindowPins::curvesAreEdited() {
     open();
     click(40, 80);
@@ -274,7 +274,7 @@ void TestWindowPins::curvesAreEdited() {
     QVERIFY(settle(m_window->session()));
     QCOMPARE(curve().size(), std::size_t(4));
     QCOMPARE(pinCount(), std::size_t(2));
-    // A frame along the curve, and a scale, by the panel.
+    // The panel adds a frame along the curve, and a scale.
     CurvePanel* panel = nullptr;
     for (CurvePanel* one : m_window->findChildren<CurvePanel*>())
         if (one->isVisible()) panel = one;
@@ -299,7 +299,7 @@ void TestWindowPins::curvesAreEdited() {
     QCOMPARE(motion().twist, 0.0);
     if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES"))  // for looking at
         m_window->grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + "/flat-curve.png");
-    // A pin at the end of its curve is still a pin: another drag goes on from there.
+    // A pin at the end of its curve is still a pin: another drag continues from there.
     dragPin(190, 40, 0, -8);
     QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(190, 32));
     QVERIFY(settle(m_window->session()));

@@ -29,7 +29,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What the canvas shows, against the code that exports.
+/// The canvas compared with the code that exports.
 class TestCanvas : public QObject {
     Q_OBJECT
   private slots:
@@ -81,7 +81,7 @@ class TestCanvas : public QObject {
     std::unique_ptr<ShapeCanvas> m_canvas;
 };
 
-/// Keeps all threads of the pool from work until it goes.
+/// Keeps all threads of the pool busy during its lifetime.
 class BusyPool {
   public:
     BusyPool() {
@@ -167,8 +167,8 @@ void TestCanvas::fitShowsWhatIsBentBeyondThePicture() {
         QVERIFY(m_canvas->rect().contains(m_canvas->toWidget(pose.col(v)).toPoint()));
 }
 
-/// The checks reach as far as the picture, to the nearest pixel: a dark photograph would have a bright line
-/// beside it.
+/// The checks reach as far as the picture, to the nearest pixel: otherwise a dark photograph would have a
+/// bright line beside it.
 void TestCanvas::paperEndsWithThePicture() {
     const Theme theme = Theme::of(m_canvas->palette());
     std::array<int, 2> seen{};
@@ -300,7 +300,7 @@ void TestCanvas::mapColoursAreOrdered() {
     }
 }
 
-/// A fan of translucent triangles over a square: no pixel of it twice, none beside it; as QPainter would.
+/// A fan of translucent triangles over a square is filled as by QPainter: no pixel twice, none beside it.
 void TestCanvas::cellsAreFilledOnce() {
     QImage image(40, 30, QImage::Format_ARGB32_Premultiplied), expected = image;
     for (QImage* one : {&image, &expected}) one->fill(qRgba(10, 200, 90, 255));
@@ -322,8 +322,8 @@ void TestCanvas::cellsAreFilledOnce() {
         }
 }
 
-/// At a vertex the colour of the mean of its cells by their areas, in the middle of a triangle that of the
-/// mean place of its corners: by formulas of our own, on the drawing that the canvas shows.
+/// A vertex has the colour of the mean of its cells by their areas, and the middle of a triangle that of the
+/// mean of its corners: the canvas is compared with independent formulas.
 void TestCanvas::smoothMapGoesByMeans() {
     bendFar();
     const auto frame = m_session->motion().frame<2>();
@@ -358,7 +358,7 @@ void TestCanvas::smoothMapGoesByMeans() {
         const QPoint at(static_cast<int>(std::floor(where.x())), static_cast<int>(std::floor(where.y())));
         if (!image.rect().contains(at)) continue;
         const QColor expected(colourAt(Measure::Length, place)), found(image.pixel(at));
-        // Half a pixel away and rounded to one of 256 steps.
+        // The place is half a pixel off and the colour is rounded to one of 256 steps.
         QVERIFY2(std::abs(found.red() - expected.red()) <= 8 &&
                      std::abs(found.green() - expected.green()) <= 8 &&
                      std::abs(found.blue() - expected.blue()) <= 8,
@@ -375,7 +375,7 @@ void TestCanvas::areaIsCentredOnOne() {
     QVERIFY(std::abs(valueAt(range, Measure::Area, 0.5) - 1) < 1e-12);
 }
 
-/// The largest hundredth of the values is left out, and no more.
+/// Only the largest hundredth of the values is left out.
 void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
     std::vector<double> values;
     for (int i = 0; i <= 1000; ++i) values.push_back(0.002 * i);
@@ -388,7 +388,7 @@ void TestCanvas::rangesReachTheGreatestValuesButAHundredth() {
     QVERIFY(std::abs(std::log(rangeOf(values, Measure::Area).high) - 1.98) < 1e-12);
 }
 
-/// Speeds and ways when nothing moves: no scale of rounding errors.
+/// Speeds and displacements when nothing moves have no scale of rounding errors.
 void TestCanvas::nothingHasAPlainRange() {
     for (const Measure measure : {Measure::Speed, Measure::Way}) {
         QCOMPARE(rangeOf(std::vector<double>(100, 0.0), measure).high, 1.0);
@@ -397,8 +397,8 @@ void TestCanvas::nothingHasAPlainRange() {
     }
 }
 
-/// The dark end of a map would vanish on a dark ground: a line around what is drawn, which the picture covers
-/// where it is inside. Beside the shape of the light window, and without a map, there is none.
+/// The dark end of a map would vanish on a dark ground, so the drawing has a light rim, which the picture
+/// covers inside. In the light window, and without a map, there is none.
 void TestCanvas::mapsHaveALightRimInTheDark() {
     const auto rim = [&](Appearance appearance, bool map, Measure measure) {
         m_canvas->setPalette(wendPalette(appearance, {}));
@@ -422,7 +422,7 @@ void TestCanvas::mapsHaveALightRimInTheDark() {
     QCOMPARE(rim(Appearance::Light, true, Measure::Way), 0);
 }
 
-/// A picture whose mesh takes so long that nobody sees it.
+/// Opens a picture whose mesh takes longer than any test waits.
 OpenedFile TestCanvas::shapeless() {
     OpenedFile file = openFile(writeCutOut(*m_folder));
     auto project = copyOf(*file.project);
@@ -446,8 +446,8 @@ void TestCanvas::pictureIsSeenBeforeItsMesh() {
     checkThatThePictureIsSeen();
 }
 
-/// Also where the picture takes longer to prepare than the canvas waits before it draws the last one more
-/// finely.
+/// The picture is complete at first sight, even where it takes longer to prepare than the canvas waits before
+/// it draws the last one more finely.
 void TestCanvas::nothingIsSeenBeforeItsPicture() {
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
     OpenedFile file = shapeless();
@@ -522,7 +522,7 @@ void TestCanvas::worstPlaceIsThatOfTheMap() {
     QCOMPARE(measureText(Measure::Length, 287.4), QLocale().toString(287));
 }
 
-/// Clicked points are carried along by the shape: what is told is their distance now and at rest.
+/// Clicked points are carried along by the shape: the distances shown are those now and at rest.
 void TestCanvas::lengthsAndAnglesAreMeasured() {
     MeasureTool tool(*m_canvas);
     m_canvas->viewport().setTool(&tool);
@@ -560,7 +560,7 @@ void TestCanvas::lengthsAndAnglesAreMeasured() {
     m_canvas->viewport().setTool(nullptr);
 }
 
-/// Against every pair of perpendicular directions of a plane, tried one by one.
+/// The shear is compared with every pair of perpendicular directions of a plane, tried one by one.
 void TestCanvas::shearIsTheRightAngleThatChangesMost() {
     const auto most = [](const Mat2& F) {
         double largest = 0;
@@ -590,8 +590,8 @@ void TestCanvas::shearIsTheRightAngleThatChangesMost() {
     QVERIFY(std::abs(shearOf(squeezed, solid) - most(Mat2{{2, 0}, {0, 0.5}})) < 1e-3);
 }
 
-/// The table tells of each measure in each dimension: a name of its own, a value for every cell that its
-/// range and its colours take, and words for the worst place.
+/// The table has for each measure in each dimension a name of its own, a value for every cell within its
+/// range and colours, and words for the worst place.
 void TestCanvas::everyMeasureIsComplete() {
     PosedFrame<2> frame;
     frame.rest = std::make_shared<const SimplicialMesh<2>>(
@@ -619,7 +619,7 @@ void TestCanvas::everyMeasureIsComplete() {
     QCOMPARE(measureText(Measure::Shear, 12.5), QLocale().toString(12.5, 'f', 2) + QStringLiteral("°"));
 }
 
-/// The right end goes up, so that all but the left one lies elsewhere than at rest.
+/// Moves the right end up, so that all but the left one is away from its place at rest.
 void TestCanvas::bendFar() {
     setVertices(m_session->document(), 400);
     changeSetting(m_session->document(), "material.memory", 0);
@@ -639,7 +639,7 @@ QPoint TestCanvas::pixelAt(const Vec2& p) const {
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
 }
 
-/// A ring that is there for measures of distortion only; the pins are there in any case.
+/// The ring is drawn for measures of distortion only; the pins are always drawn.
 void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     bendFar();
     m_session->selection().set({0, 1});  // so that every place lies elsewhere
@@ -678,7 +678,7 @@ void TestCanvas::worstPlaceIsMarkedWhereItIs() {
     QCOMPARE(near(rest), 0);
 }
 
-/// The bar lies in [20, 220] × [60, 100], with a margin of two pixels, in cells of about five; what was drawn
+/// The bar is in [20, 220] × [60, 100], with a margin of two pixels, in cells of about five; the area drawn
 /// around its right end is far larger.
 void TestCanvas::partsAreFramedWhereTheyAre() {
     for (const Region<3>& drawn :
@@ -702,7 +702,8 @@ void TestCanvas::partsAreFramedWhereTheyAre() {
     }
 }
 
-/// Twenty pixels beside the pin that is pointed at, once the pointer has stayed there, and no longer.
+/// The name appears twenty pixels beside the pin under the pointer, once the pointer has rested there, and
+/// disappears with it.
 void TestCanvas::namesOfPinsWaitForAMoment() {
     PinChoice choice;
     PinTool tool(*m_canvas, choice, true);
@@ -726,7 +727,7 @@ void TestCanvas::namesOfPinsWaitForAMoment() {
     QCOMPARE(beside(), nothing);
 }
 
-/// The pointer leads a pin over another place of the shape before the shape follows.
+/// The pointer moves a pin over another place of the shape before the shape follows.
 void TestCanvas::draggedPinsAreNotCovered() {
     const int pin = m_session->addPin({40, 80, 0});
     m_session->addPin({200, 80, 0});
@@ -742,7 +743,7 @@ void TestCanvas::draggedPinsAreNotCovered() {
     m_session->gestures().cancel();
 }
 
-/// Of a curve after another motion, and where it is short on the screen not one over the other.
+/// The frames are on a curve after another motion, and do not overlap where the curve is short on the screen.
 void TestCanvas::framesStandOnTheirPath() {
     Design next = m_session->document().design();
     Pin pin;
@@ -807,7 +808,7 @@ void TestCanvas::edgesAreThoseOfThePose() {
     QVERIFY2(between < 0.2 * frame->cells, qPrintable(QString("%1 of %2").arg(between).arg(frame->cells)));
 }
 
-/// As if nothing had been dragged, and the pose again.
+/// The shape at rest is shown as if nothing had been dragged, and then the pose again.
 void TestCanvas::restIsShown() {
     const auto picture = [&] {
         const bool settled = QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000);
@@ -825,7 +826,7 @@ void TestCanvas::restIsShown() {
     QCOMPARE(picture(), bent);
 }
 
-/// Its left end is that of another legend from there to elsewhere, its right end is not.
+/// Its left end equals that of another legend from there on, its right end does not.
 void TestCanvas::legendTellsItsEnds() {
     const auto drawn = [](double low, double high) {
         Legend legend;
@@ -841,7 +842,7 @@ void TestCanvas::legendTellsItsEnds() {
     QVERIFY(end(one, true) != end(later, true) && end(one, false) == end(later, false));
 }
 
-/// While it moves a large view is drawn with fewer pixels, over the same part of the screen.
+/// A moving shape in a large view is drawn with fewer pixels over the same part of the screen.
 void TestCanvas::coarsePixelsFillTheView() {
     QVERIFY(QTest::qWaitFor([this] { return m_canvas->isSettled(); }, 20000));
     m_canvas->resize(3200, 2200);

@@ -1,7 +1,7 @@
-// The canvas, grabbed from the window, against what a picture is by a formula and against the exported file
-// as other decoders read it (Qt's for PNG, plain OpenImageIO for EXR): every number of channels, depth and
-// association, shape inside, covering and outside the view, at rest and bent; and 40 megapixels. Runs at one
-// and at two device pixels per pixel (tests/app/CMakeLists.txt).
+// The canvas, grabbed from the window, compared with the formula of a picture and with the exported file as
+// other decoders read it (Qt's for PNG, plain OpenImageIO for EXR): every number of channels, depth and
+// association, with the shape inside, covering and outside the view, at rest and bent; and 40 megapixels.
+// Runs at one and at two device pixels per pixel (tests/app/CMakeLists.txt).
 #include <OpenImageIO/imageio.h>
 
 #include <QImageReader>
@@ -75,8 +75,8 @@ struct Kind {
 
     bool alpha() const { return channels % 2 == 0; }
     bool linear() const { return type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT; }
-    /// Smooth, so that no filter changes it, and different in every direction; colours not associated, in the
-    /// file's light.
+    /// Returns a smooth colour, so that no filter changes it, that differs in every direction; colours are
+    /// not associated, in the file's light.
     Colour colourAt(const Vec2& p) const {
         const double x = p.x() / width, y = p.y() / height;
         const double first = 0.15 + 0.7 * x;
@@ -90,7 +90,7 @@ struct Kind {
     }
 };
 
-/// With OpenImageIO alone.
+/// Writes the file with OpenImageIO alone.
 void writeFile(const QString& path, const Kind& kind, int orientation = 1) {
     OIIO::ImageSpec spec(kind.width, kind.height, kind.channels, kind.type);
     static const std::vector<std::string> kNames[] = {
@@ -131,7 +131,7 @@ class Decoded {
     int width() const { return m_width; }
     int height() const { return m_height; }
 
-    /// Between pixels; nothing where a border of what is covered may be as near as that.
+    /// Interpolates between pixels; returns nothing if a border of the covered area is within `near`.
     std::optional<Colour> at(const Vec2& p, double near) const {
         const int covered = coveredAround(p);
         for (const Vec2& d : {Vec2(-near, 0), Vec2(near, 0), Vec2(0, -near), Vec2(0, near)})
@@ -145,7 +145,7 @@ class Decoded {
     }
 
   private:
-    /// How many of 36 pixels are not transparent.
+    /// Returns how many of 36 pixels are not transparent.
     int coveredAround(const Vec2& p) const {
         const int i = static_cast<int>(std::floor(p.x() - 0.5)),
                   j = static_cast<int>(std::floor(p.y() - 0.5));
@@ -201,7 +201,7 @@ Colour colourOf(QRgb c) {
     return Colour(qRed(c), qGreen(c), qBlue(c), qAlpha(c)) / 255.0;
 }
 
-/// What the canvas shows where the shape is not.
+/// Returns the canvas's drawing outside the shape.
 QImage ground(const ShapeCanvas& canvas, const QSizeF& picture) {
     QImage image(canvas.size() * canvas.devicePixelRatioF(), QImage::Format_RGB32);
     image.setDevicePixelRatio(canvas.devicePixelRatioF());
@@ -244,7 +244,7 @@ void TestCanvasPictures::bend() {
     QVERIFY(settle(*m_session));
 }
 
-/// `corner`: what is to lie in the upper left corner of the widget.
+/// `corner` is the place to show in the upper left corner of the widget.
 void TestCanvasPictures::setView(double zoom, const Vec2& corner) {
     m_canvas->zoomTo(zoom);
     const QPoint at(m_canvas->width() / 2, m_canvas->height() / 2);
@@ -282,7 +282,8 @@ void TestCanvasPictures::viewShows(const Expected& expected, int tolerance) {
     QVERIFY(compared > shown.width() * shown.height() / (15 * step));
 }
 
-/// The shape inside the view, at two levels of the pyramid; covering it; crossing its borders; outside.
+/// Checks views with the shape inside, at two levels of the pyramid; covering the view; crossing its borders;
+/// and outside.
 void TestCanvasPictures::everyViewShows(const Expected& expected, int tolerance) {
     m_canvas->fit();
     viewShows(expected, tolerance);
@@ -311,7 +312,7 @@ void TestCanvasPictures::canvasIsTheFile_data() {
         for (int channels = 1; channels <= 4; ++channels)
             QTest::addRow("%s, %s", kChannels[channels - 1], name)
                 << extension << channels << type << (extension == exr);
-        // With the association that the others have not.
+        // The association is the one that the others do not have.
         for (const int channels : {2, 4})
             if (type != OIIO::TypeDesc::HALF)
                 QTest::addRow("%s, %s, %s", kChannels[channels - 1], name,
@@ -349,7 +350,7 @@ void TestCanvasPictures::canvasIsTheFile() {
     everyViewShows([&](const Vec2& p) { return file.at(p - view.origin, 2 / m_canvas->view().zoom()); }, 3);
 }
 
-/// A photograph of a large camera: the whole of it, and its pixels.
+/// A photograph of a large camera is compared as a whole and in single pixels.
 void TestCanvasPictures::fortyMegapixels() {
     const Kind kind{.channels = 3, .width = 7303, .height = 5477};
     const QString path = m_folder->filePath(QStringLiteral("large.png"));
@@ -371,7 +372,7 @@ void TestCanvasPictures::fortyMegapixels() {
     }
 }
 
-/// What is visible becomes the shape.
+/// Opens a picture whose visible part becomes the shape.
 void TestCanvasPictures::openCutOut(const QImage& image) {
     const QString path = m_folder->filePath(QStringLiteral("cutout.png"));
     QVERIFY(image.save(path));
@@ -391,7 +392,7 @@ void TestCanvasPictures::drag(const std::vector<int>& pins, const Vec2& by) {
     QVERIFY(settle(*m_session));
 }
 
-/// As Qt reads what is exported of a part of the plane.
+/// Exports a part of the plane and reads it by Qt.
 QImage TestCanvasPictures::exported(const View& view) {
     const QString path = m_folder->filePath(QStringLiteral("exported.png"));
     const auto& frame = *m_session->motion().frame<2>();
@@ -402,7 +403,7 @@ QImage TestCanvasPictures::exported(const View& view) {
     return QImage(path).convertToFormat(QImage::Format_ARGB32);
 }
 
-/// At 100 %, pixel by pixel.
+/// At 100 % the canvas equals the export pixel by pixel.
 void TestCanvasPictures::canvasIsExported() {
     setView(1, {-20, -30});
     QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 60000));
@@ -420,7 +421,8 @@ void TestCanvasPictures::canvasIsExported() {
         }
 }
 
-/// A ring and a disc. Where all pins of a part have moved alike, so has the part, and nothing else.
+/// The shape is a ring and a disc. A part moves as its pins do if they have all moved alike, and nothing else
+/// moves.
 void TestCanvasPictures::partsAndHolesAreBentAndExported() {
     const QRectF ring(30, 40, 120, 120), hole(65, 75, 50, 50), disc(220, 50, 90, 90);
     const auto drawn = [&](const QPointF& ringBy, const QPointF& discBy) {
@@ -464,7 +466,7 @@ void TestCanvasPictures::partsAndHolesAreBentAndExported() {
     canvasIsExported();
 }
 
-/// An arm with soft edges, turned over the body that it hangs on: what lies below is seen up to the arm
+/// An arm with soft edges is rotated over the body that it is attached to: the body is visible up to the arm
 /// itself.
 void TestCanvasPictures::limbOverTheBodyIsWhole() {
     QImage image(361, 227, QImage::Format_RGBA8888);
@@ -482,7 +484,7 @@ void TestCanvasPictures::limbOverTheBodyIsWhole() {
     drag({hand}, {60, 130});
     canvasIsExported();
     const QImage file = exported({361, 227, Vec2::Zero(), 1});
-    // The body, away from its borders and from the arm, and the arm over it: nothing shines through.
+    // The body is opaque away from its borders and from the arm, and so is the arm over it.
     const auto& frame = *m_session->motion().frame<2>();
     int several = 0;
     for (int y = 155; y < 205; ++y)
@@ -510,7 +512,7 @@ void TestCanvasPictures::orientedPhotographsAreUpright_data() {
         QTest::addRow("%d", orientation) << orientation;
 }
 
-/// Qt reads the tag itself.
+/// Qt reads the orientation tag itself.
 void TestCanvasPictures::orientedPhotographsAreUpright() {
     QFETCH(int, orientation);
     const QString path = m_folder->filePath(QStringLiteral("photograph.jpg"));

@@ -23,7 +23,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The dialogs that ask how something is written, and what is written then.
+/// The dialogs for export options, and the files that they write.
 class TestExportDialog : public QObject {
     Q_OBJECT
   private slots:
@@ -38,7 +38,7 @@ class TestExportDialog : public QObject {
     void cropsAreToldSideBySide();
     void aLoopFitsItsCycle();
     void previewIsWhatIsWritten();
-    void whatHasNoAlphaIsPreviewedOnItsGround();
+    void opaqueFormatsArePreviewedOnTheirGround();
     void framesAreNumbered();
     void depthsAreWritten_data();
     void depthsAreWritten();
@@ -82,7 +82,7 @@ void choose(ExportDialog& dialog, const char* extension) {
     format->setCurrentIndex(format->findData(QString::fromLatin1(extension)));
 }
 
-/// For looking at.
+/// Saves a screenshot for inspection.
 void keepPicture(QWidget& widget, const char* name) {
     if (qEnvironmentVariableIsSet("WEND_TEST_PICTURES"))
         widget.grab().save(qEnvironmentVariable("WEND_TEST_PICTURES") + '/' + QLatin1String(name));
@@ -110,7 +110,7 @@ void TestExportDialog::open(const QString& picture) {
     QVERIFY(settle(session()));
 }
 
-/// Two pins, the right one dragged.
+/// Pins two points and drags the right one.
 void TestExportDialog::bend(double dx, double dy) {
     session().addPin({40, 80, 0});
     session().addPin({200, 80, 0});
@@ -162,9 +162,10 @@ void TestExportDialog::optionsComeFromTheTable() {
     QVERIFY(seen >= 20);
 }
 
-/// What `wend run` can be told about outputs, a dialog can be told.
+/// Every output option of `wend run` has a field in a dialog.
 void TestExportDialog::everyOptionOfARunIsThere() {
-    // The project's own settings, what only a command line needs, and what only solids have.
+    // Left out are the project's own settings, those that only a command line needs, and those that only
+    // solids have.
     const QStringList others{"--phi",      "--method", "--tolerance", "--steps",   "--at",       "--partial",
                              "--memory",   "--settle", "--backend",   "--threads", "--progress", "--quiet",
                              "--velocity", "--report", "--border",    "--shard",   "--solver",   "--strict",
@@ -211,7 +212,7 @@ void TestExportDialog::formatsDecideWhatIsAsked() {
     if (waitForPreview(*mesh)) keepPicture(*mesh, "export-mesh.png");
 }
 
-/// Formats without transparency show and write white. The choice comes back with a format that holds it,
+/// Formats without transparency show and write white. The choice returns with a format that supports it,
 /// unless the user has made another one.
 void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
     open(writeCutOut(*m_folder));
@@ -244,7 +245,7 @@ void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
     }
 }
 
-/// False if a letter is there already; a text may have none.
+/// Returns false if the letter is already in use; a text may have none.
 static bool addLetter(QSet<QString>& letters, const QString& text) {
     const QString letter = QKeySequence::mnemonic(text).toString();
     const bool isNew = letter.isEmpty() || !letters.contains(letter);
@@ -264,7 +265,7 @@ void TestExportDialog::cropIsToldAndFits() {
     QVERIFY(note->findChild<QLabel*>()->text().contains(QStringLiteral("right")));
     QVERIFY(!note->findChild<QLabel*>()->text().contains(QStringLiteral("left")));
     if (waitForPreview(*asked)) keepPicture(*asked, "export-crop.png");
-    // No letter is that of two controls, and the buttons are of one height.
+    // No two controls share a letter, and the buttons have the same height.
     QSet<QString> letters;
     for (const QLabel* one : asked->findChildren<QLabel*>())
         if (one->buddy() && one->isVisible())
@@ -285,7 +286,7 @@ void TestExportDialog::cropIsToldAndFits() {
     const QString told = asked->findChild<QLabel*>(QStringLiteral("facts"))->text();
     QVERIFY2(told.startsWith(QStringLiteral("%1 × %2 pixels").arg(all.width()).arg(all.height())),
              qPrintable(told));
-    // The bar's right end is whole: 40 high in the middle, and nothing of it touches the border.
+    // The bar's right end is whole: 40 high in the middle, and no part of it touches the border.
     for (int y = 0; y < all.height(); ++y)
         QVERIFY(qAlpha(all.pixel(0, y)) < 128 && qAlpha(all.pixel(all.width() - 1, y)) < 128);
     QVERIFY(written(ExportKind::Picture, file("crop.png"), {}));
@@ -296,7 +297,7 @@ void TestExportDialog::cropIsToldAndFits() {
     QVERIFY(touching > 20);
 }
 
-/// By less than the outline's margin is still cut off what had reached the outline.
+/// A crop of less than the outline's margin still cuts parts that had reached the outline.
 void TestExportDialog::littleThatIsCutOffIsToldToo() {
     open(writeCutOut(*m_folder));
     bend(0, 60);
@@ -307,7 +308,7 @@ void TestExportDialog::littleThatIsCutOffIsToldToo() {
     QVERIFY(note->isVisible() && note->findChild<QLabel*>()->text().contains(QStringLiteral("bottom")));
 }
 
-/// Each side with its own number: of the pose for a picture, of all of the way for a film.
+/// Each side is reported with its own number: of the pose for a picture, of the whole motion for a film.
 void TestExportDialog::cropsAreToldSideBySide() {
     open(writeCutOut(*m_folder));
     const auto told = [&](ExportKind kind) {
@@ -338,7 +339,7 @@ void TestExportDialog::cropsAreToldSideBySide() {
     QVERIFY2(!film.contains(QStringLiteral("left")), qPrintable(film));
 }
 
-void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
+void TestExportDialog::opaqueFormatsArePreviewedOnTheirGround() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Picture);
@@ -357,7 +358,7 @@ void TestExportDialog::whatHasNoAlphaIsPreviewedOnItsGround() {
     }
 }
 
-/// A canvas that fits a film of the cycle is around the frames of the cycle alone.
+/// A canvas that fits a film of the cycle contains the frames of the cycle only.
 void TestExportDialog::aLoopFitsItsCycle() {
     open(writeCutOut(*m_folder));
     bend(-10, 45);
@@ -382,7 +383,7 @@ void TestExportDialog::aLoopFitsItsCycle() {
     QVERIFY(all > loop + 12);
 }
 
-/// At its own size, decoded by Qt.
+/// The preview at full size equals the file, decoded by Qt.
 void TestExportDialog::previewIsWhatIsWritten() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
@@ -406,7 +407,7 @@ void TestExportDialog::previewIsWhatIsWritten() {
     QCOMPARE(off, 0);
 }
 
-/// Whoever forgets the place of the number gets it.
+/// A file name without a place for the number gets one.
 void TestExportDialog::framesAreNumbered() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
@@ -432,7 +433,8 @@ void TestExportDialog::framesAreOfTheShapeThatIsThere() {
     }
 }
 
-/// Of a picture: as long as the motion, without what the format does not hold; its frames are the sequence's.
+/// The film of a picture is as long as the motion, without options that the format does not support; its
+/// frames are the sequence's.
 void TestExportDialog::filmIsOneFile() {
     open(writeCutOut(*m_folder));
     bend(-10, 25);
@@ -457,7 +459,7 @@ void TestExportDialog::filmIsOneFile() {
     QVERIFY(std::abs(film.ends[7] - 1000 * seconds) <= 1);  // then the last one is seen
 }
 
-/// It is seen to be: filled, as the step's own.
+/// The button looks like the main one: filled, as the step's own.
 void TestExportDialog::exportIsTheMainButton() {
     open(writeCutOut(*m_folder));
     const auto asked = dialog(ExportKind::Picture);
@@ -488,7 +490,7 @@ void TestExportDialog::depthsAreWritten_data() {
                                << "float" << int(PixelType::Float);
 }
 
-/// The same picture in another depth: each value to the half step of eight bits.
+/// The same picture in another depth has each value to the half step of eight bits.
 void TestExportDialog::depthsAreWritten() {
     QFETCH(QString, extension);
     QFETCH(QString, depth);
@@ -523,8 +525,8 @@ void TestExportDialog::backgroundsAreWritten() {
     }
 }
 
-/// Two soft discs close to each other: the outline leaves a gap between them, and cuts their edges off. Where
-/// nothing has moved, what is written is the source all the same.
+/// Two soft discs are close to each other: the outline leaves a gap between them and cuts their edges off.
+/// Where nothing has moved, the written pixels are those of the source all the same.
 void TestExportDialog::softEdgesAtRestAreTheSourcesOwn() {
     QImage image(164, 90, QImage::Format_ARGB32);
     for (int y = 0; y < 90; ++y)

@@ -20,7 +20,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The step Export: what its panel offers, shows and writes, in a window with a picture or a solid.
+/// The step Export: options, preview and files of its panel, in a window with a picture or a solid.
 class TestExportPanel : public QObject {
     Q_OBJECT
   private slots:
@@ -31,7 +31,7 @@ class TestExportPanel : public QObject {
     void nothingIsAskedWithoutAShape();
     void previewFollowsThePose();
     void whatIsPreviewedIsWritten();
-    void whatWasChosenStays();
+    void choicesAreKept();
     void fitIsOneClick();
     void anyColourIsBehindThePicture();
     void framesLastAsLongAsTheMotion();
@@ -84,7 +84,7 @@ void TestExportPanel::pictureAndSolid() {
     QTest::newRow("solid") << true;
 }
 
-/// Of the picture: the left end stands, the right one is dragged.
+/// Holds the left end of the picture and drags the right one.
 bool TestExportPanel::bend(double dx, double dy) {
     ShapeSession& session = m_f->session();
     if (session.gestures().pins().empty()) {
@@ -98,7 +98,7 @@ bool TestExportPanel::bend(double dx, double dy) {
     return settle(session);
 }
 
-/// The last of the backgrounds asks for a colour; a dialog that is left changes nothing.
+/// The last background asks for a colour; cancelling the dialog changes nothing.
 void TestExportPanel::anyColourIsBehindThePicture() {
     QVERIFY(m_f->openPicture());
     toExport();
@@ -162,7 +162,7 @@ void TestExportPanel::kindsAreThoseOfTheShape() {
     QVERIFY(!m_f->window().materialPanel().isVisible());        // its room is the preview's
 }
 
-/// As long as a shape is being computed there is nothing to choose.
+/// While a shape is being computed, no option can be chosen.
 void TestExportPanel::nothingIsAskedWithoutAShape() {
     ExportForm form(ExportForm::Fields::Below);
     form.setNothing(QStringLiteral("Not yet."));
@@ -173,7 +173,7 @@ void TestExportPanel::nothingIsAskedWithoutAShape() {
     QVERIFY(!form.isReady());
 }
 
-/// A pose that is changed in the step is seen without another deed, and only the newest one.
+/// A pose that changes in this step is previewed without a click, and only the newest one.
 void TestExportPanel::previewFollowsThePose() {
     QVERIFY(open(false));
     toExport();
@@ -198,8 +198,8 @@ void TestExportPanel::previewFollowsThePose() {
     QTRY_VERIFY_WITH_TIMEOUT(isCurrent() && seen() == bent, 20000);
 }
 
-/// By the button and the dialog for the name: the file, decoded by Qt, has the pixels that were told and,
-/// made smaller, those of the preview.
+/// The button and the file dialog write a file that, decoded by Qt, has the announced size and, scaled down,
+/// the pixels of the preview.
 void TestExportPanel::whatIsPreviewedIsWritten() {
     QVERIFY(open(false) && bend(-10, 30));
     toExport();
@@ -222,7 +222,7 @@ void TestExportPanel::whatIsPreviewedIsWritten() {
     QVERIFY2(off < 0.03 * ink, qPrintable(QString::number(off / ink)));  // two filters at soft edges
 }
 
-void TestExportPanel::whatWasChosenStays() {
+void TestExportPanel::choicesAreKept() {
     QVERIFY(open(false) && bend(-10, 30));
     toExport();
     auto* format = panel().findChild<QComboBox*>(QStringLiteral("format"));
@@ -245,7 +245,7 @@ void TestExportPanel::whatWasChosenStays() {
     QCOMPARE(panel().form().extension(), QStringLiteral(".ply"));
 }
 
-/// What would be cut off is told as soon as it is, and with one click is not.
+/// The panel says at once which parts would be cut off, and one click avoids it.
 void TestExportPanel::fitIsOneClick() {
     QVERIFY(open(false));
     toExport();
@@ -280,7 +280,7 @@ void TestExportPanel::framesLastAsLongAsTheMotion() {
     QTRY_COMPARE(count->number(), std::lround(24 * seconds()) + 1.0);
 }
 
-/// A project that cannot be computed is said not to be, and there is nothing to press.
+/// A project that cannot be computed is reported, and the button is disabled.
 void TestExportPanel::nothingIsWrittenWithoutAShape() {
     QVERIFY(open(false));
     toExport();
@@ -294,7 +294,7 @@ void TestExportPanel::nothingIsWrittenWithoutAShape() {
     QVERIFY(!panel().findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
 }
 
-/// At three pixels of the screen for one of the picture, where the pointer meets every pixel.
+/// Opens the view at three screen pixels for one of the picture, so that the pointer reaches every pixel.
 bool TestExportPanel::openToCrop() {
     if (!open(false)) return false;
     toExport();
@@ -317,7 +317,7 @@ void TestExportPanel::drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifie
     QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, at(to));
 }
 
-/// Neither map nor cut nor marks of the view are in the mesh that is written.
+/// The written mesh has neither map nor cut nor marks of the view.
 void TestExportPanel::solidIsPreviewedAsFilesGetIt() {
     QVERIFY(open(true));
     toExport();
@@ -338,7 +338,7 @@ void TestExportPanel::solidIsPreviewedAsFilesGetIt() {
     QCOMPARE(seen(), plain);
 }
 
-/// By the mouse, as anywhere: the preview is of the view as it is turned now.
+/// The mouse rotates the view as anywhere: the preview shows the view as it is rotated now.
 void TestExportPanel::solidIsPreviewedAsItIsTurned() {
     QVERIFY(open(true));
     toExport();
@@ -365,7 +365,7 @@ void TestExportPanel::cropIsDrawn() {
     QTRY_VERIFY_WITH_TIMEOUT(isCurrent() && seen().size() == QSize(120, 60), 20000);
     QTRY_VERIFY(facts().startsWith(QStringLiteral("120 × 60 pixels")));
     QVERIFY(!panel().findChild<QWidget*>(QStringLiteral("cropNote"))->isVisible());
-    // Another canvas may be chosen all the same, until another rectangle is drawn.
+    // Another canvas can still be chosen, until another rectangle is drawn.
     panel().form().field("--canvas")->setValue("picture");
     QCOMPARE(panel().form().values().text("--canvas"), std::string("picture"));
     QVERIFY(isCurrent());
@@ -382,8 +382,7 @@ void TestExportPanel::cropIsDrawn() {
     QCOMPARE(panel().form().field("--canvas")->choices(), QStringList({"picture", "fit"}));
 }
 
-/// In pixels of the picture, whatever the coordinates of the mesh that carries it: here ten to one, and
-/// upwards.
+/// The crop is in pixels of the picture, whatever the coordinates of its mesh: here ten to one, and upwards.
 void TestExportPanel::cropIsOfAMeshsPictureToo() {
     writeCutOut(*m_folder);
     const auto put = [&](const char* name, const QByteArray& text) {
@@ -445,7 +444,7 @@ void TestExportPanel::cropIsChangedByItsParts() {
     QVERIFY(!crop().now());  // it was of another document
 }
 
-/// The pixels that the whole picture has there.
+/// The crop has the same pixels as the whole picture.
 void TestExportPanel::cropIsWrittenAsItIsSeen() {
     QVERIFY(openToCrop() && bend(-10, 20));
     drag({90, 30}, {230, 130});
@@ -463,7 +462,7 @@ void TestExportPanel::cropIsWrittenAsItIsSeen() {
     QVERIFY(part != whole.copy(90, 31, 140, 100));
 }
 
-/// Where a point of the shape is in the view.
+/// Returns the place of a point of the shape in the view.
 QPointF TestExportPanel::seenAt(const Vec3& p) {
     const bool solid = m_f->session().document().dimension() == 3;
     return solid ? m_f->canvas().toWidget(p) : m_f->window().canvas().toWidget(p.head<2>());
@@ -478,7 +477,7 @@ void TestExportPanel::panMovesTheView_data() {
     pictureAndSolid();
 }
 
-/// Also by the second press of a double click, and as far as with the space bar. The shape stays as it is.
+/// The second press of a double click pans as well, as far as with the space bar. The shape stays as it is.
 void TestExportPanel::panMovesTheView() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -511,7 +510,7 @@ void TestExportPanel::allIsInViewOnASmallScreen_data() {
     pictureAndSolid();
 }
 
-/// Also what warns.
+/// Warnings are in view as well.
 void TestExportPanel::allIsInViewOnASmallScreen() {
     QFETCH(bool, solid);
     m_f->window().resize(1366, 768);

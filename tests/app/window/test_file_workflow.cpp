@@ -21,7 +21,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Opening, and getting back what a crash has left: nothing is lost unasked.
+/// Opening files and recovering work after a crash: nothing is lost without a question.
 class TestFileWorkflow : public QObject {
     Q_OBJECT
   private slots:
@@ -141,7 +141,7 @@ void TestFileWorkflow::lostWorkWaitsAsACard() {
     QVERIFY(document().isEmpty());
 }
 
-/// A file that was asked for is opened; the banner tells of the work, and recovers it.
+/// The requested file is opened; the banner mentions the unsaved work and recovers it.
 void TestFileWorkflow::lostWorkIsToldBesideAnotherFile() {
     leaveLostWork(writeCutOut(*m_folder));
     m_window->files().guardWork(m_copies);

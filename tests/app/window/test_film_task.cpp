@@ -1,5 +1,5 @@
-// A film made as an animator makes it, by mouse and keys alone: from a sample to poses, from poses to a loop,
-// to an MP4 that ffprobe and ffmpeg read, to a file, and out of it in another window.
+// A film made by mouse and keys alone, as an animator would: from a sample to poses, from poses to a loop, to
+// an MP4 that ffprobe and ffmpeg read, to a file, and reopened in another window.
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QJsonArray>
@@ -111,7 +111,7 @@ void TestFilmTask::drag(QWidget& in, const QPoint& from, const QPoint& to, Qt::K
     QVERIFY(settle(session()));
 }
 
-/// By a click on the ruler.
+/// Shows a time by a click on the ruler.
 void TestFilmTask::show(double time) {
     TimeRuler& ruler = tracks().ruler();
     QTest::mouseClick(&ruler, Qt::LeftButton, {}, QPoint(qRound(tracks().scale().xOf(time)), 12));
@@ -130,7 +130,7 @@ void TestFilmTask::pose(int handle, const QPoint& by) {
     drag(canvas(), from, from + by);
 }
 
-/// The same; the dragged shape is seen until the exact one is there.
+/// Poses as above; the dragged shape is visible until the exact one is computed.
 void TestFilmTask::poseLive(int handle, const QPoint& by) {
     const QPoint from = canvas().toWidget(pin(handle)).toPoint();
     QTest::mouseMove(&canvas(), from);
@@ -169,7 +169,7 @@ void TestFilmTask::openSample() {
     QCOMPARE(endOf(m_f->project()), 4.0);
 }
 
-/// Three poses, and one more between two of them, which stay where they are.
+/// Sets three poses, and one more between two of them, which stay unchanged.
 void TestFilmTask::setPoses() {
     const Vec2 rest = pin(kLeftFoot);
     for (const auto& [time, by] : {std::pair{1.0, QPoint(-20, -40)}, {2.0, {30, 60}}, {3.0, {-15, -25}}}) {
@@ -223,7 +223,7 @@ void TestFilmTask::retimeAndCopy() {
     QVERIFY((moved - rests[1] - Vec2(-left.x(), left.y())).norm() < 1e-6);
 }
 
-/// Set late, it holds from then on, and what was there before is as before.
+/// A pin set late holds from then on, and everything before is unchanged.
 void TestFilmTask::addLatePin() {
     show(3.5);
     const auto frame = session().motion().frame<2>();
@@ -258,7 +258,7 @@ void TestFilmTask::loop() {
     m_f->picture(QStringLiteral("film-task"));
 }
 
-/// By the dialog, with an odd width.
+/// Writes the film by the dialog, with an odd width.
 void TestFilmTask::writeFilm(const QString& path) {
     QSignalSpy done(&m_f->window().exporter(), &Exporter::done);
     withNext<ExportDialog>(this, [&](ExportDialog& dialog) {
@@ -277,7 +277,8 @@ void TestFilmTask::writeFilm(const QString& path) {
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
 }
 
-/// As many pictures as the cycle has, of an even size; the first and the last are those of PNG files.
+/// Checks that the film has as many pictures as the cycle, of an even size, and that the first and the last
+/// equal those of PNG files.
 void TestFilmTask::checkFilm(const QString& path) {
     const auto [from, to] = *filmMarksOf(session().document()).cycle;
     const QJsonObject stream = QJsonDocument::fromJson(outputOf(
@@ -312,7 +313,7 @@ void TestFilmTask::checkFilm(const QString& path) {
     }
 }
 
-/// The same document, and the same shape at the end of the cycle.
+/// Checks that the document, and the shape at the end of the cycle, are the same.
 void TestFilmTask::reopen(const QString& path) {
     nameNextFile(&m_f->window(), path);
     m_f->window().actions().saveAs->trigger();

@@ -1,5 +1,5 @@
-// Where the keyboard is: on what one does next when the window opens, and back on the shape when what had it
-// vanishes.
+// The keyboard focus: on the next likely widget when the window opens, and back on the shape when the focused
+// widget disappears.
 #include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
@@ -57,7 +57,7 @@ void TestFocus::pressedButtonsOfTheBannerGiveItBack() {
     QVERIFY(pressed(banner.findChild<QToolButton*>()));
 }
 
-/// Whoever closes one line after the other goes on where he is.
+/// Closing one line of the banner moves the focus to the next.
 void TestFocus::restOfTheBannerKeepsIt() {
     open();
     InfoBanner& banner = m_window->banner();
@@ -71,7 +71,7 @@ void TestFocus::restOfTheBannerKeepsIt() {
     QVERIFY(m_window->canvas().hasFocus());
 }
 
-/// Of another step, or of all.
+/// The focus returns whether one step's panel or all panels are hidden.
 void TestFocus::hiddenPanelsGiveItBack() {
     open();
     const auto focusedIn = [this](Mode mode) {

@@ -84,7 +84,8 @@ void TestLanguage::chosenLanguageIsSpoken_data() {
                            << "0.5";
 }
 
-/// Chosen in one window, spoken by the next one, with the numbers of that country; and it is marked there.
+/// The language chosen in one window is used by the next one, with the numbers of that country, and is marked
+/// there.
 void TestLanguage::chosenLanguageIsSpoken() {
     QFETCH(QString, code);
     QFETCH(QString, name);
@@ -109,7 +110,8 @@ void TestLanguage::unknownLanguageIsTheDesktops() {
     QVERIFY(m_window->actions().languages->menu()->actions().first()->isChecked());
 }
 
-/// Also where they would like another language second best: on such a one this is run once more.
+/// English desktops get English, even if they list another language second: this runs once more on such a
+/// one.
 void TestLanguage::englishDesktopsSpeakEnglish() {
     if (!qEnvironmentVariable("LANGUAGE").startsWith("en")) QSettings().setValue("language", "en");
     m_spoken = std::make_unique<SpokenLanguage>();
@@ -128,7 +130,7 @@ void TestLanguage::changeIsAnnounced() {
     QVERIFY(m_window->isVisible());
 }
 
-/// Of the user's own files they stay as they are.
+/// The names of samples are translated, those of the user's own files are not.
 void TestLanguage::namesOfSamplesAreSpoken() {
     QSettings().setValue("language", "de");
     m_spoken = std::make_unique<SpokenLanguage>();

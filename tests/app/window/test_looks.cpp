@@ -35,7 +35,7 @@ QColor TestLooks::over(QColor tint, const QColor& ground) {
                             float(a * tint.blueF() + (1 - a) * ground.blueF()));
 }
 
-/// The examples that are known: black on white, and the lightest grey that is readable on white.
+/// The known examples are black on white, and the lightest grey that is readable on white.
 void TestLooks::formulaIsThatOfTheStandard() {
     QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21) < 1e-9);
     QVERIFY(contrast(QColor(0x767676), Qt::white) > 4.5 && contrast(QColor(0x777777), Qt::white) < 4.5);
@@ -78,7 +78,7 @@ void TestLooks::textIsReadable() {
     readable("steps", look.color(QPalette::WindowText), theme.line);
 }
 
-/// Ticked or not, on the ground that they stand on; and which of both they are.
+/// Check boxes contrast with their ground, ticked or not, and the two states differ.
 void TestLooks::boxesToTickAreSeen() {
     QFETCH(int, appearance);
     const QPalette look = wendPalette(static_cast<Appearance>(appearance), QApplication::palette());
@@ -100,7 +100,7 @@ void TestLooks::boxesToTickAreSeen() {
     QVERIFY2(seen[0] < 1.2 && seen[1] > 2, qPrintable(QStringLiteral("%1, %2").arg(seen[0]).arg(seen[1])));
 }
 
-/// At the size at which they are shown: every pair by a part of its pixels.
+/// At display size, every pair of icons differs in a share of the pixels.
 void TestLooks::iconsDiffer() {
     const QPalette look = wendPalette(Appearance::Light, QApplication::palette());
     const QStringList names = {"pin",       "select",   "area-lasso", "area-rectangle", "area-brush",
@@ -126,7 +126,7 @@ void TestLooks::iconsDiffer() {
         }
 }
 
-/// Also the one that brings the program its style.
+/// The first window, which sets the program's style, looks like any other.
 void TestLooks::firstWindowIsAsAnyOther() {
     const TestFolder folder;
     qApp->setStyleSheet({});

@@ -67,7 +67,7 @@ void TestMenus::cleanup() {
     m_window.reset();
 }
 
-/// No panel has the key of a menu, neither what is seen now nor what other documents show.
+/// No panel has the key of a menu, whether it is visible now or belongs to other documents.
 void TestMenus::altKeysOpenMenus() {
     QMap<QString, QString> menus;
     for (const QAction* action : m_window->menuBar()->actions())
@@ -99,7 +99,7 @@ void TestMenus::lettersAreUnique_data() {
 
 namespace {
 
-/// Entries of a menu, and of those below it, that one letter stands for.
+/// Returns the entries of a menu and its submenus that share a letter.
 QStringList sharedLetters(const QMenu& menu) {
     QStringList shared;
     QMap<QString, QString> owner;
@@ -116,7 +116,7 @@ QStringList sharedLetters(const QMenu& menu) {
 
 }  // namespace
 
-/// A letter opens one entry, and does not go round among several.
+/// A letter opens one entry, and does not cycle among several.
 void TestMenus::lettersAreUnique() {
     QFETCH(QString, language);
     QTranslator translator;
@@ -153,7 +153,7 @@ void TestMenus::holdingHWorksEverywhere() {
         QVERIFY2(hidden, place->metaObject()->className());
         QVERIFY2(view() == shown, place->metaObject()->className());
     }
-    // It does not show what was hidden for good.
+    // It does not show items that were hidden permanently.
     m_window->actions().hideOverlays->setChecked(true);
     QTest::keyClick(&canvas, Qt::Key_H);
     QVERIFY(view() != shown);
@@ -180,7 +180,7 @@ void TestMenus::exportIsAMenu() {
     QVERIFY(actions.exportPicture->isEnabled() && actions.exportMesh->isEnabled());
     QVERIFY(!actions.exportFrames->isEnabled());
     QVERIFY(actions.exportFrames->toolTip().contains("drag a pin"));
-    // Beside the entry, too.
+    // The same happens beside the entry.
     button->menu()->popup({100, 100});
     const auto tipOf = [&](QAction* entry) {
         QToolTip::hideText();
@@ -229,7 +229,7 @@ void TestMenus::refusedDragsStayWithTheShape() {
     QCOMPARE(gesture.amount(), Amount(12, 0, 0));
     QCOMPARE(gesture.path(0.01).back(), Amount(12, 0, 0));
 
-    // The same in a window: one pin is pushed through another.
+    // The same happens in a window: one pin is pushed through another.
     click(Qt::LeftButton, 110, 80);
     click(Qt::LeftButton, 130, 80);
     QVERIFY(settle(m_window->session()));

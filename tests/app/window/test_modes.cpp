@@ -35,7 +35,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The steps of the work: which tools and panels each has, in a window with a picture or a solid.
+/// The tools and panels of each step of the work, in a window with a picture or a solid.
 class TestModes : public QObject {
     Q_OBJECT
   private slots:
@@ -104,7 +104,7 @@ void TestModes::stepsHaveTheirToolsAndPanels_data() {
     pictureAndSolid();
 }
 
-/// By the keys, as in the row above. What is kept is there wherever the shape is changed.
+/// The keys and the row of steps agree. The Keep panel is there wherever the shape is changed.
 void TestModes::stepsHaveTheirToolsAndPanels() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -140,7 +140,7 @@ void TestModes::stepsHaveTheirToolsAndPanels() {
     QVERIFY(shows<CutPanel>());
 }
 
-/// In a low window, and not when the step is another one, which is seen from its top.
+/// In a low window a tool scrolls to its panel, but not when the step changes, which starts at its top.
 void TestModes::toolsBringTheirPanelIntoView() {
     QVERIFY(open(true));
     m_f->window().resize(1200, 640);
@@ -181,7 +181,7 @@ void TestModes::stepsRememberTheirTool() {
     QVERIFY(tools().isChosen("pin") && tools().mode() == Mode::Pins);
 }
 
-/// From whichever step they are chosen.
+/// A tool brings its step, from whichever step it is chosen.
 void TestModes::toolsBringTheirStep() {
     QVERIFY(open(true));
     tools().setMode(Mode::Export);
@@ -199,7 +199,7 @@ void TestModes::keysAreUnique_data() {
     pictureAndSolid();
 }
 
-/// In every step; and no key of a tool is missing in a step that has it.
+/// Keys are unique in every step, and every tool of a step has one.
 void TestModes::keysAreUnique() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -268,7 +268,7 @@ void TestModes::selectingMovesNothing() {
     QCOMPARE(places(), before);
     QVERIFY(asksForAPin());
     if (solid) return;
-    // There is room for what needs more.
+    // There is room for the larger ones.
     m_f->session().addPin({160, 80, 0});
     widenPin(m_f->session(), 0, 20);
     selection.set({0});
@@ -281,7 +281,7 @@ void TestModes::nothingIsBelowTheFold_data() {
     pictureAndSolid();
 }
 
-/// How the outline of a cut-out is made is said where the mesh is, and of pictures alone.
+/// The settings of a cut-out's outline are beside those of the mesh, and for pictures only.
 void TestModes::numbersOfTheOutlineAreOfPictures_data() {
     pictureAndSolid();
 }
@@ -296,7 +296,7 @@ void TestModes::numbersOfTheOutlineAreOfPictures() {
     }
 }
 
-/// On the smallest usual screen: what is kept, and what the step is about.
+/// The Keep panel and the step's main panel are in view on the smallest usual screen.
 void TestModes::nothingIsBelowTheFold() {
     QFETCH(bool, solid);
     m_f->window().resize(1366, 768);
@@ -340,7 +340,7 @@ void TestModes::cheatSheetHasEveryKey_data() {
     pictureAndSolid();
 }
 
-/// Whatever step is current: those of the others, too.
+/// The cheat sheet has the keys of all steps, whichever is current.
 void TestModes::cheatSheetHasEveryKey() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -373,7 +373,7 @@ void TestModes::cheatSheetHasEveryKey() {
     QVERIFY(opened);
 }
 
-/// Each page that the first one speaks of is there.
+/// Each page that the first one links to exists.
 void TestModes::manualIsWithinTheProgram() {
     QTest::keyClick(&m_f->window(), Qt::Key_F1);
     auto* manual = m_f->window().findChild<ManualWindow*>();
@@ -389,7 +389,7 @@ void TestModes::manualIsWithinTheProgram() {
     for (const QUrl& link : links) QVERIFY2(QFile::exists(':' + link.path()), qPrintable(link.toString()));
 }
 
-/// All that its pages name, none wider than the window.
+/// All pictures that the pages name are shown, none wider than the window.
 void TestModes::manualShowsItsPictures() {
     QTest::keyClick(&m_f->window(), Qt::Key_F1);
     auto* manual = m_f->window().findChild<ManualWindow*>();
@@ -440,7 +440,7 @@ void TestModes::manualHasAStyle() {
     QCOMPARE(beside, 1);
 }
 
-/// Words that stand on one page are found from any other, by Enter in the field; what stands on none is told.
+/// Enter in the field finds the words of one page from any other; for words on no page a message appears.
 void TestModes::manualIsSearchedOnAllPages() {
     QTest::keyClick(&m_f->window(), Qt::Key_F1);
     auto* manual = m_f->window().findChild<ManualWindow*>();
@@ -465,7 +465,7 @@ void TestModes::manualIsSearchedOnAllPages() {
         QCOMPARE(pages.source().fileName(), found ? QString::fromLatin1(page) : before.fileName());
         if (found) QCOMPARE(pages.textCursor().selectedText(), QString::fromLatin1(words));
     }
-    // Each place once: on the page, then on the pages behind it, and from the start again.
+    // Each place is visited once: on the page, then on the following pages, and from the start again.
     QStringList visited;
     search(QStringLiteral("smoothing length"));
     QVERIFY(nowhere->isHidden());
@@ -485,7 +485,7 @@ void TestModes::backslashShowsTheShapeBefore_data() {
     pictureAndSolid();
 }
 
-/// While it is held, and without pins.
+/// The key shows the earlier shape while it is held, without pins.
 void TestModes::backslashShowsTheShapeBefore() {
     QFETCH(bool, solid);
     m_f->window().actions().hideOverlays->setChecked(true);
@@ -525,7 +525,7 @@ void TestModes::everythingHasAName_data() {
     pictureAndSolid();
 }
 
-/// For those who hear the window: whatever takes the keyboard says what it is.
+/// Every widget that takes the keyboard has a name for screen readers.
 void TestModes::everythingHasAName() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));

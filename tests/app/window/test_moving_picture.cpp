@@ -7,8 +7,7 @@
 
 using namespace wend;
 
-/// What makes a shape that moves quick to draw: coarser pixels where the time does not suffice, and a ground
-/// that is painted once.
+/// Fast drawing of a moving shape: coarser pixels where time is short, and a ground that is painted once.
 class TestMovingPicture : public QObject {
     Q_OBJECT
   private slots:
@@ -49,7 +48,7 @@ Ground::Look lookOf(const QSize& size, double ratio) {
 
 }  // namespace
 
-/// However slow it is, 200 000 pixels are drawn.
+/// 200,000 pixels are drawn even if drawing is slow.
 void TestMovingPicture::smallViewsAreNotCoarse() {
     DrawingPace pace;
     for (int i = 0; i < 20; ++i) pace.learn(1e6, 500);
@@ -64,8 +63,8 @@ void TestMovingPicture::smallViewsAreNotCoarse() {
     QCOMPARE(pace.coarseness(1280.0 * 800), 2);
 }
 
-/// Of 8.3 million pixels at so many nanoseconds each, 14 ms draw 8.3/4 at 6.7, 8.3/9 at 15; never less
-/// than 8.3/16.
+/// At the given nanoseconds for each of 8.3 million pixels, 14 ms suffice for 8.3/4 at 6.7 and 8.3/9 at 15;
+/// there are never less than 8.3/16.
 void TestMovingPicture::largeViewsAreAsFineAsTheTimeAllows() {
     const auto at = [](double nanoseconds) {
         DrawingPace pace;
@@ -82,7 +81,7 @@ void TestMovingPicture::largeViewsAreAsFineAsTheTimeAllows() {
     QCOMPARE(DrawingPace().coarseness(kFourK), 2);  // not known yet
 }
 
-/// Finer again only with time to spare: at 6.0 a third of it would be taken at once.
+/// The pixels become finer only with time to spare: at 6.0 a third of the time would be used at once.
 void TestMovingPicture::itDoesNotGoToAndFro() {
     DrawingPace pace;
     const auto next = [&pace](double nanoseconds) {

@@ -10,7 +10,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Where the properties are when the window is narrow, when it is very wide, and when they are not wanted.
+/// The properties in a narrow window, in a very wide one, and when they are hidden.
 class TestPropertiesRail : public QObject {
     Q_OBJECT
   private slots:
@@ -57,7 +57,8 @@ bool TestPropertiesRail::isInView(const QWidget& widget) {
            window.contains(QRect(widget.mapToGlobal(QPoint()), widget.size()));
 }
 
-/// Of 44 pixels, with a button for what is kept first; a click opens the properties beside it, over the view.
+/// The rail is 44 pixels wide, with a button for Keep first; a click opens the properties beside it, over the
+/// view.
 void TestPropertiesRail::narrowWindowsHaveARail() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -92,7 +93,7 @@ void TestPropertiesRail::narrowWindowsHaveARail() {
     QCOMPARE(side.geometry(), rail().geometry());
 }
 
-/// One on the view closes it and sets no pin; one on a bar does what it does.
+/// A click on the view closes the properties and sets no pin; one on a bar has its usual effect.
 void TestPropertiesRail::railIsClosedByClicksElsewhere() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -111,7 +112,7 @@ void TestPropertiesRail::railIsClosedByClicksElsewhere() {
     QTest::mouseClick(&view, Qt::LeftButton, {}, on);  // and the next one does
     QTRY_COMPARE(pins(), std::size_t(1));
     QVERIFY(settle(m_f->session()));
-    // Nor is the button's going down seen below, by which a pin is chosen.
+    // The release below, which would select a pin, is not delivered either.
     m_f->session().selection().clear();
     QTest::mouseClick(&railButton("Pins"), Qt::LeftButton);
     QTest::mouseClick(&view, Qt::LeftButton, {}, on);
@@ -126,7 +127,7 @@ void TestPropertiesRail::railIsClosedByClicksElsewhere() {
     QCOMPARE(tools().mode(), Mode::Mesh);
 }
 
-/// By F4 in a window that has the room; the next window knows.
+/// F4 hides the properties in a window that has the room; the next window remembers it.
 void TestPropertiesRail::propertiesAreHiddenForGood() {
     QVERIFY(open(false));
     m_f->window().resize(1366, 768);
@@ -145,8 +146,8 @@ void TestPropertiesRail::propertiesAreHiddenForGood() {
     QVERIFY(side.isVisible() && shown->isChecked() && !rail().isCollapsed());
 }
 
-/// Each that is not empty has its button, by the same name for those who hear it.
-/// Without those that have nothing to say, as of a solid the faults of its surface.
+/// Each section that is not empty has its button, with the same accessible name. Sections without content,
+/// such as the surface faults of a sound solid, have none.
 void TestPropertiesRail::railHasTheSectionsOfTheStep() {
     QFETCH(bool, solid);
     QVERIFY(open(solid));
@@ -167,7 +168,7 @@ void TestPropertiesRail::railHasTheSectionsOfTheStep() {
     QCOMPARE(names(), QStringList({"Export"}));
 }
 
-/// In every step, so that the view stays as large.
+/// The pins are beside the view in every step, so that its size stays.
 void TestPropertiesRail::pinsStandBesideInAWideWindow() {
     QVERIFY(open(false));
     m_f->window().resize(3840, 1000);

@@ -15,7 +15,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The user gives actions other keys, in the dialog, by the keys themselves.
+/// The user assigns other keys to actions, in the dialog, by pressing them.
 class TestShortcuts : public QObject {
     Q_OBJECT
   private slots:
@@ -89,7 +89,7 @@ QString TestShortcuts::note(const ShortcutDialog& dialog) {
     return {};
 }
 
-/// Else two actions would share what is remembered.
+/// Two actions with one id would share the stored key.
 void TestShortcuts::idsAreUnique() {
     QSet<QString> seen;
     for (const QAction* action : m_f->window().tools().actionsWithKeys()) {
@@ -136,7 +136,7 @@ void TestShortcuts::keysAreTakenFromTheirAction() {
     QVERIFY(actions().fit->shortcuts().isEmpty());
 }
 
-/// A key may mean one tool here and another one there, as the standard keys do.
+/// A key may belong to different tools in different steps, as the default keys do.
 void TestShortcuts::toolsOfOtherStepsKeepTheirKeys() {
     QAction *pen = tool("pen"), *eraser = tool("eraser");
     const QList<QKeySequence> before = ActionMaker::keysOf(*eraser);

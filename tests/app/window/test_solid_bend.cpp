@@ -1,4 +1,5 @@
-// A bar, twisted and bent by half a turn: no cell turns over, and each energy keeps what it is named for.
+// A bar is twisted and bent by half a turn: no cell is inverted, and each energy preserves the quantity that
+// it is named for.
 
 #include <QtTest>
 #include <map>
@@ -31,7 +32,7 @@ class TestSolidBend : public QObject {
 
 namespace {
 
-/// A box of 6 × 1 × 1 with squares of 1 / n, as an OBJ file of quads.
+/// Returns a box of 6 × 1 × 1 with squares of 1 / n, as an OBJ file of quads.
 std::string barText(int n) {
     std::map<std::array<int, 3>, int> ids;
     std::string vertices, faces;
@@ -90,8 +91,8 @@ std::array<Distortion, 4> ofNamedEnergies(Project& project, const std::string& f
     return errors;
 }
 
-/// As in the paper (section 5): of the four, EQUIA has the least error of volume, METR of length (to the
-/// factor `slack`), CONF of angle.
+/// Checks the order found in the paper (section 5): of the four, EQUIA has the least error of volume, METR of
+/// length (up to the factor `slack`), CONF of angle.
 void requireOrder(const std::array<Distortion, 4>& errors, double slack) {
     for (const Distortion& error : errors) {
         QCOMPARE(error.flips, 0);
@@ -126,7 +127,7 @@ void TestSolidBend::keepsItsName_data() {
     QTest::newRow("twist") << QString::fromStdString(kLeft + "}, " + kRight +
                                                      turning("[6, 0.5, 0.5]", along, pi))
                            << 1.06;
-    // Each end turns about the place that takes it to where half a circle ends.
+    // Each end rotates about the point that takes it to the end of half a circle.
     QTest::newRow("bend") << QString::fromStdString(kLeft + turning("[1.5, 0.5, 0.91]", across, pi / 2) +
                                                     ", " + kRight +
                                                     turning("[4.5, 0.5, 0.91]", across, -pi / 2))
@@ -147,7 +148,7 @@ void TestSolidBend::samples_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"bar", "eagle"}) QTest::newRow(name) << name;
 }
-/// The samples as they are: 1500 to 5000 vertices, handles that sit, a motion that arrives.
+/// The samples have 1500 to 5000 vertices, handles in the right places, and a motion that arrives.
 void TestSolidBend::samples() {
     QFETCH(QString, name);
     const std::string folder = WEND_SOURCE_DIR "/resources/samples";

@@ -33,7 +33,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What the window writes of a solid, against what `wend run` writes of the same project.
+/// The window's export of a solid compared with that of `wend run` for the same project.
 class TestSolidExport : public QObject {
     Q_OBJECT
   private slots:
@@ -79,7 +79,8 @@ std::string objOf(const Surface& surface) {
     return text;
 }
 
-/// All the same but for the velocity, which the two solve for from different guesses.
+/// Compares everything exactly, except for the velocity, which the two compute from different initial
+/// guesses.
 void compareMeshes(const MeshFile& window, const MeshFile& commandLine) {
     QVERIFY(window.points == commandLine.points);
     QVERIFY(window.triangles == commandLine.triangles && window.tetrahedra == commandLine.tetrahedra);
@@ -92,7 +93,7 @@ void compareMeshes(const MeshFile& window, const MeshFile& commandLine) {
         double difference = 0;
         for (std::size_t i = 0; i < a.values.size(); ++i)
             difference = std::max(difference, std::abs(a.values[i] - b.values[i]));
-        // The ends go at a speed of about 3; the integration's tolerance is 1e-4.
+        // The ends move at a speed of about 3; the integration's tolerance is 1e-4.
         QVERIFY2(difference <= (QByteArray(a.name.c_str()).startsWith("velocity") ? 1e-5 : 0),
                  a.name.c_str());
     }
@@ -128,7 +129,7 @@ QByteArray TestSolidExport::bytes(const QString& name) const {
     return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
 }
 
-/// True when the file has been written.
+/// Returns true once the file has been written.
 bool TestSolidExport::finish(const std::function<void()>& write) {
     QSignalSpy done(&m_window->exporter(), &Exporter::done), failed(&m_window->exporter(), &Exporter::failed);
     write();
@@ -185,8 +186,7 @@ void TestSolidExport::verticesAreThoseOfTheFile() {
     }
 }
 
-/// A check box in the dialog, where the format holds triangles beside tetrahedra, and what it says is what is
-/// written.
+/// The dialog has a check box where the format holds triangles beside tetrahedra, and the file follows it.
 void TestSolidExport::borderTrianglesAreAtChoice() {
     ShapeSession& session = m_window->session();
     const auto shape = std::make_shared<const FrameExport>(session.document(), session.motion().frame(),
@@ -273,12 +273,12 @@ void TestSolidExport::picturesAreAsChosen() {
     choice.transparent = false;
     writeViewPicture(file(QStringLiteral("full.png")), canvas, choice);
     QCOMPARE(qAlpha(QImage(file(QStringLiteral("full.png"))).pixel(2, 2)), 255);
-    // The skin's material is what one sees.
+    // The skin's material is the visible one.
     const QColor middle = clear.pixelColor(320, 240);
     QVERIFY(middle.blue() > 2 * middle.red());
 }
 
-/// Several of them, with what lies over the view: no seams.
+/// Several strips, with the overlays of the view, have no seams.
 void TestSolidExport::picturesAreWrittenInStrips() {
     SolidCanvas& canvas = *m_window->solids().canvas();
     PictureChoice choice;
@@ -307,8 +307,8 @@ void TestSolidExport::picturesAreCancelled() {
     QVERIFY(!QFile::exists(file(QStringLiteral("never.png"))));
 }
 
-/// From the start of the motion to its end, each frame as the view is exported at that time; then the time is
-/// the one that was.
+/// The film runs from the start of the motion to its end, each frame equal to an export of the view at that
+/// time; then the shown time is restored.
 void TestSolidExport::viewIsFilmed() {
     SolidCanvas& canvas = *m_window->solids().canvas();
     Playback& playback = m_window->session().playback();
@@ -390,7 +390,8 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     QVERIFY(viewPicture(canvas, choice) == bare);  // no map, nothing to explain
     m_window->actions().showMap->setChecked(true);
     const QImage legend = viewPicture(canvas, choice);
-    // Where the window has it, as large against the solid: at the lower right, and nowhere else.
+    // The legend is where the window has it, in the same proportion to the solid: at the lower right, and
+    // nowhere else.
     const double scale = 600.0 / canvas.height();
     const QRect card = QRectF(QPointF(800, 600) - scale * QPointF(228, 68), scale * QSizeF(216, 56)).toRect();
     const QPoint inside = card.center();

@@ -21,7 +21,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// What is seen of a solid in the window: cuts, detail surfaces, marks, and what another document finds.
+/// The look of a solid in the window: cuts, detail surfaces, marks, and the view of the next document.
 class TestSolidLooks : public QObject {
     Q_OBJECT
   private slots:
@@ -44,7 +44,7 @@ class TestSolidLooks : public QObject {
     void arrowsAreSeenBeforeEveryGround();
     void mapsHaveARimOnDarkGround();
     void pinsThatAreCutAwayAreFaint();
-    void whatIsUnderThePointerFollowsTheMap();
+    void pointedValueFollowsTheMap();
 
   private:
     QString file(const char* name, const QByteArray& text);
@@ -98,8 +98,8 @@ QString TestSolidLooks::file(const char* name, const QByteArray& text) {
     return file.fileName();
 }
 
-/// A bar of 4 × 1 × 1, held as a whole and carried upwards by 6; with a red box inside as its detail, or
-/// none.
+/// Returns a project of a bar of 4 × 1 × 1, held as a whole and carried upwards by 6, with or without a red
+/// box inside as its detail.
 QString TestSolidLooks::project(const QByteArray& detail) {
     file("bar.obj", boxText({2, 0.5, 0.5}, 6));
     file("red.mtl", "newmtl red\nKd 1 0 0\n");
@@ -112,7 +112,7 @@ QString TestSolidLooks::project(const QByteArray& detail) {
                     "time": [0, 1]}]}], "time": {"end": 1}})");
 }
 
-/// At rest, seen from the front: x to the right, z up.
+/// Opens the project at rest, from the front: x to the right, z up.
 void TestSolidLooks::open(const QString& path) {
     QVERIFY(!path.isEmpty());
     const int before = session().document().generation();
@@ -154,8 +154,8 @@ void TestSolidLooks::cutEndsWithItsDocument() {
     QVERIFY(canvas().grabFramebuffer() == whole);
 }
 
-/// The section of the tetrahedra without gaps, from both sides and under a map: one colour, and not that of
-/// the detail's inner side, nor its red.
+/// The section of the tetrahedra has no gaps, from both sides and under a map: one colour, neither that of
+/// the detail's inner side nor its red.
 void TestSolidLooks::sectionBesideDetailIsFilled() {
     open(project("inside.obj"));
     for (const bool map : {false, true})
@@ -211,7 +211,7 @@ void TestSolidLooks::wrongTrianglesAreRedFromBehind() {
     }
 }
 
-/// A loose triangle in a closed box is told through the side in front of it, faintly.
+/// A loose triangle in a closed box shines faintly through the side in front of it.
 void TestSolidLooks::wrongTrianglesShineThrough() {
     file("loose.obj", boxText({2, 0.5, 0.5}, 1) + "v -1 0 -0.3\nv 1 0 -0.3\nv 0 0 0.4\nf 9 10 11\n");
     m_window->openPath(file("loose.wend", R"({"format": "wend", "version": 1,
@@ -226,7 +226,7 @@ void TestSolidLooks::wrongTrianglesShineThrough() {
     QVERIFY(!isRed(colourAt({0, -0.5, 0})));
 }
 
-/// Seen from above, half of the bar cut away.
+/// The bar is seen from above, with half of it cut away.
 void TestSolidLooks::marksAreWhereVerticesAreSeen() {
     open(project("inside.obj"));
     solids().actions().top->trigger();
@@ -238,7 +238,7 @@ void TestSolidLooks::marksAreWhereVerticesAreSeen() {
         const VertexMark mark = canvas().marksOf({held[i]}).front();
         const Vec3 rest = frame->rest->points.col(held[i]);
         const bool inner = rest.cwiseAbs().cwiseQuotient(Vec3(2, 0.5, 0.5)).maxCoeff() < 1 - 1e-9;
-        // Of a vertex of the border the mark lies on the box inside.
+        // The mark of a border vertex is on the box inside.
         const double depth = mark.at.cwiseAbs().cwiseQuotient(Vec3(1.9, 0.4, 0.4)).maxCoeff();
         QVERIFY(inner ? mark.at == rest : std::abs(depth - 1) < 1e-9);
         QVERIFY(rest.z() < 0.5 - 1e-9 || !mark.hidden);
@@ -263,7 +263,7 @@ void TestSolidLooks::fitShowsPathsToo() {
     QVERIFY(canvas().camera().pivot().norm() < 1e-9);  // turned around the solid all the same
 }
 
-/// What is embedded far out of the tetrahedra, and only while it is shown.
+/// The view fits embedded surfaces far outside the tetrahedra, but only while they are shown.
 void TestSolidLooks::fitShowsDetailToo() {
     QVERIFY(!project({}).isEmpty());
     file("wide.obj", boxText({14, 0.4, 0.4}, 6));
@@ -285,8 +285,8 @@ void TestSolidLooks::fitShowsDetailToo() {
     QVERIFY(!showsTips());
 }
 
-/// The worst cell of a bar that is pulled lies inside: there is a faint ring only, without the hairs that
-/// would point at what is seen. A cut through it shows it, from the one side.
+/// The worst cell of a pulled bar is inside: there is a faint ring only, without the cross hairs that would
+/// point at a visible place. A cut through it shows it, from one side.
 void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     file("bar.obj", boxText({2, 0.5, 0.5}, 2));
     const int before = session().document().generation();
@@ -303,7 +303,7 @@ void TestSolidLooks::worstPlaceIsMarkedWhereItIsSeen() {
     const int worst = worstOf(*frame->distortion, m_window->findChild<DistortionPanel*>()->measure()).cell;
     Vec3 centre = Vec3::Zero();
     for (const int v : frame->rest->cells[worst]) centre += frame->pose.col(v) / 4;
-    // The picture of the marks with and without the map differs by that of the worst place.
+    // The pictures with and without the map differ by the mark of the worst place.
     const auto marks = [&](bool map) {
         m_window->actions().showMap->setChecked(map);
         QImage image(canvas().size(), QImage::Format_ARGB32_Premultiplied);
@@ -363,7 +363,7 @@ void TestSolidLooks::anotherDocumentIsSeenAsItIs() {
     QVERIFY(isRed(colourAt({0.3, -0.4, 0.1})));
 }
 
-/// Every panel and the view hear of it while the solid stands at the end of its motion.
+/// Every panel and the view are notified when a solid is closed at the end of its motion.
 void TestSolidLooks::movedSolidsAreClosed() {
     open(project("inside.obj"));
     m_window->actions().showMap->setChecked(true);
@@ -378,7 +378,7 @@ void TestSolidLooks::movedSolidsAreClosed() {
     QVERIFY(canvas().isVisible());
 }
 
-/// It is not taken for the one before, whose motion ends another way.
+/// The next solid is not confused with the one before, whose motion ends elsewhere.
 void TestSolidLooks::solidAfterAMovedOneIsSeenWhole() {
     open(project({}));
     session().playback().setTime(1);
@@ -393,7 +393,7 @@ void TestSolidLooks::solidAfterAMovedOneIsSeenWhole() {
     QVERIFY(canvas().toWidget({40, 0, 0}).x() - canvas().toWidget({-40, 0, 0}).x() > canvas().width() / 4);
 }
 
-/// Black and white as backdrops, and what both appearances have there.
+/// Arrows contrast with black and white backdrops, and with those of both appearances.
 void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
     open(project({}));
     Actions& common = m_window->actions();
@@ -423,7 +423,7 @@ void TestSolidLooks::arrowsAreSeenBeforeEveryGround() {
     common.systemLook->trigger();
 }
 
-/// In no colour of the material, as on pictures.
+/// The rim has no colour of the material, as on pictures.
 void TestSolidLooks::mapsHaveARimOnDarkGround() {
     open(project({}));
     Actions& common = m_window->actions();
@@ -444,7 +444,7 @@ void TestSolidLooks::mapsHaveARimOnDarkGround() {
     common.systemLook->trigger();
 }
 
-/// A pin on the cut-away half, one on the other, seen from the front with the near half gone.
+/// One pin is on the cut-away half, one on the other; the view is from the front, with the near half hidden.
 void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     open(project({}));
     const auto addAt = [&](const Vec3& p) {
@@ -471,15 +471,15 @@ void TestSolidLooks::pinsThatAreCutAwayAreFaint() {
     QCOMPARE(markUnder(canvas(), mark, false), front);  // where nothing else is
     canvas().setCutPlane({Vec3(0, 2, 0), -Vec3::UnitY()});
     QVERIFY(isMarkCovered(canvas(), view(0)));
-    // Of whole cells some reach beyond the plane.
+    // Some whole cells reach beyond the plane.
     canvas().setCutKind(CutKind::WholeCells);
     canvas().setCutPlane({Vec3(0, 0.1, 0), -Vec3::UnitY()});
     const auto touched = canvas().touch(canvas().toWidget({0.2, 0.1, 0.1}));
     QVERIFY(touched && !canvas().isHidden(touched->place, touched->point));
 }
 
-/// Also while the pointer rests.
-void TestSolidLooks::whatIsUnderThePointerFollowsTheMap() {
+/// The value under a resting pointer is updated, too.
+void TestSolidLooks::pointedValueFollowsTheMap() {
     open(project({}));
     QString told;
     const QObject listener;

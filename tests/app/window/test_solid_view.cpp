@@ -1,5 +1,5 @@
-// From where a solid is seen: what is kept with its project, which axis points up; and how its maps are
-// drawn.
+// The view of a solid: the camera that is saved with its project, the axis that points up, and the drawing of
+// its maps.
 #include <QCheckBox>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -37,7 +37,7 @@ class TestSolidView : public QObject {
     void open(const QString& path);
     void turn();
     Document& document() { return m_f->session().document(); }
-    /// The world's axis on the screen, in pixels to the right and up.
+    /// Returns the world's axis on the screen, in pixels to the right and up.
     QPointF onScreen(int axis);
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -51,7 +51,7 @@ void TestSolidView::init() {
     QVERIFY(m_f->open());
 }
 
-/// What the file says, read by Qt.
+/// Returns the contents of the file, read by Qt.
 QJsonObject TestSolidView::saved() {
     QFile file(path());
     return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
@@ -64,7 +64,7 @@ void TestSolidView::open(const QString& path) {
     QVERIFY(settle(m_f->session()));
 }
 
-/// With mouse and wheel, as one does.
+/// Rotates the view with mouse and wheel.
 void TestSolidView::turn() {
     SolidCanvas& canvas = m_f->canvas();
     QTest::mousePress(&canvas, Qt::MiddleButton, {}, {300, 300});
@@ -80,7 +80,7 @@ QPointF TestSolidView::onScreen(int axis) {
     return {way.x(), -way.y()};
 }
 
-/// Moving it changes nothing of the document, saving takes it along, opening brings it back.
+/// Moving the camera changes nothing in the document; saving stores it, and opening restores it.
 void TestSolidView::cameraIsKept() {
     document().save(path());
     const int steps = document().undoStack()->count();
@@ -102,7 +102,7 @@ void TestSolidView::cameraIsKept() {
         QVERIFY(QLineF(m_f->canvas().toWidget(places[i]), seen[i]).length() < 0.01);
     QVERIFY((m_f->canvas().camera().pivot() - pivot).norm() < 1e-4);
     QVERIFY(m_f->actions().orthographic->isChecked());
-    // Along the line of sight through the middle lie both the eye and its target.
+    // Both the eye and its target are on the line of sight through the middle.
     const auto point = [&](const char* key) {
         const QJsonValue p = camera[QLatin1String(key)];
         return Vec3(p[0].toDouble(), p[1].toDouble(), p[2].toDouble());
@@ -128,7 +128,7 @@ void TestSolidView::cameraThatNobodyMovedIsNotWritten() {
     QVERIFY(!saved().contains("view"));
 }
 
-/// Not a digit of it changes, unless somebody looks from elsewhere.
+/// No digit changes unless the user moves the camera.
 void TestSolidView::fileAsItWasKeepsItsCamera() {
     document().save(path());
     QJsonObject project = saved();
@@ -182,8 +182,8 @@ void TestSolidView::upAxisIsUndone() {
     QVERIFY(onScreen(2).y() > 50 && std::abs(onScreen(2).x()) < 1);
 }
 
-/// Whatever axis points up: from the front and the sides it does so, seen from the top it points at the eye,
-/// and a turned view keeps it upright.
+/// The views follow any up axis: the front and the sides have it upright, the top view along the line of
+/// sight, and a rotated view keeps it upright.
 void TestSolidView::sidesGoByTheUpAxis() {
     using Axis = Camera::Axis;
     SolidCanvas& canvas = m_f->canvas();
@@ -196,7 +196,7 @@ void TestSolidView::sidesGoByTheUpAxis() {
             ways.push_back(canvas.viewDirection());
         }
         QVERIFY((ways[0] + ways[2]).norm() < 1e-9 && (ways[1] + ways[3]).norm() < 1e-9);
-        // From the front to the right: against the clock, seen from above.
+        // The order from the front to the right is counterclockwise, seen from above.
         QVERIFY((ways[0].cross(ways[1]) - Vec3::Unit(up)).norm() < 1e-9);
         canvas.look(Axis::Top);
         QVERIFY((canvas.viewDirection() + Vec3::Unit(up)).norm() < 1e-9);
@@ -206,7 +206,7 @@ void TestSolidView::sidesGoByTheUpAxis() {
     }
 }
 
-/// The box lies in the folded part of the properties, and its choice is remembered.
+/// The check box is in the collapsed section of the properties, and its choice is remembered.
 void TestSolidView::colourMapIsSmooth() {
     auto* box = m_f->window().findChild<QCheckBox*>(QStringLiteral("mapSmooth"));
     QVERIFY(box && !box->isChecked() && !box->toolTip().isEmpty());
@@ -219,7 +219,7 @@ void TestSolidView::colourMapIsSmooth() {
     auto* panel = m_f->window().findChild<DistortionPanel*>();
     panel->setMeasure(Measure::CellSize);
     m_f->canvas().camera().fit(Vec3(-1, -0.5, -0.5), Vec3(1, 0.5, 0.5));
-    // Neighbouring pixels that differ much: the edges of the cells.
+    // Counts neighbouring pixels that differ much: the edges of the cells.
     const auto jumps = [&] {
         const QImage image = m_f->canvas().grabFramebuffer();
         const QPoint middle = image.rect().center();
@@ -240,7 +240,7 @@ void TestSolidView::colourMapIsSmooth() {
     QCOMPARE(jumps(), flat);
 }
 
-/// What is stiff at the back of the bar is told on its front, which is not; arrows there are not told.
+/// Stiffness at the back of the bar is visible on its front, which is not stiff; arrows at the back are not.
 void TestSolidView::stiffnessShinesThrough() {
     const auto stiff = copyOf(m_f->project());
     designOf(*stiff).material.layers.push_back(

@@ -92,7 +92,7 @@ xcb_connection_t* screenServer() {
     return qGuiApp->nativeInterface<QNativeInterface::QX11Application>()->connection();
 }
 
-/// As a window manager does it, of which Qt is only told.
+/// Moves the window as a window manager does, so that Qt only receives an event.
 void moveFromOutside(const QWidget& window, const QPoint& place) {
     const std::array<int, 2> values = {place.x(), place.y()};
     const auto id = static_cast<xcb_window_t>(window.winId());
@@ -100,7 +100,7 @@ void moveFromOutside(const QWidget& window, const QPoint& place) {
     xcb_flush(screenServer());
 }
 
-/// Where it really is, whatever Qt believes.
+/// Returns the real place of the window, independently of Qt.
 QPoint placeOf(const QWidget& window) {
     const auto request = xcb_get_geometry(screenServer(), static_cast<xcb_window_t>(window.winId()));
     const std::unique_ptr<xcb_get_geometry_reply_t, decltype(&std::free)> reply(
@@ -108,7 +108,7 @@ QPoint placeOf(const QWidget& window) {
     return reply ? QPoint(reply->x, reply->y) : QPoint(-1, -1);
 }
 
-/// No more addresses than are in use and so many megabytes.
+/// Limits the address space to the part in use plus a number of megabytes.
 class AddressLimit {
   public:
     explicit AddressLimit(int megabytes) {
@@ -137,7 +137,7 @@ void TestSolidWindow::init() {
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
 }
 
-/// Both ends of the bar by rectangle, all through: two handles.
+/// Selects both ends of the bar by rectangle, through the whole depth, as two handles.
 void TestSolidWindow::holdEnds() {
     m_f->actions().through->setChecked(true);
     for (const double x : {-2.0, 2.0}) {
@@ -167,8 +167,8 @@ void TestSolidWindow::opensSurfacesAndTetrahedra() {
     QCOMPARE(m_f->session().motion().frame()->vertices, mesh.vertexCount());
 }
 
-/// Every triangle of the file has vertices of its own: the panel and what is noticed count the same ones, and
-/// so does the export.
+/// Every triangle of the file has vertices of its own: the panel, the notice and the export count the same
+/// vertices.
 void TestSolidWindow::verticesAreThoseThatCellsHave() {
     const Surface whole = box({-2, -0.5, -0.5}, {2, 0.5, 0.5}, 8);
     QFile file(m_f->folder().filePath(QStringLiteral("soup.off")));
@@ -199,7 +199,7 @@ void TestSolidWindow::verticesAreThoseThatCellsHave() {
     QCOMPARE(shape.vertexCount(".vtu"), frame->used);
 }
 
-/// Where the user has moved it. Qt makes it anew when the first solid comes.
+/// The window stays where the user has moved it, although Qt recreates it when the first solid is opened.
 void TestSolidWindow::windowKeepsItsPlace() {
     const QPoint place(61, 73);
     moveFromOutside(m_f->window(), place);
@@ -222,7 +222,7 @@ void TestSolidWindow::clickPinsAndArrowMoves() {
     const Vec3 pin = m_f->session().gestures().pins()[1].centre;
     QTest::mouseClick(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin));
     QVERIFY(m_f->session().selection().contains(1));
-    // The arrow of z stands upright over the pin.
+    // The arrow of z is upright over the pin.
     const QPoint tip = m_f->at(pin) - QPoint(0, 60);
     QTest::mouseMove(&m_f->canvas(), tip);
     QTest::mousePress(&m_f->canvas(), Qt::LeftButton, {}, tip);
@@ -273,7 +273,7 @@ void TestSolidWindow::typedNumbersAreExact() {
     QTest::mouseRelease(&m_f->canvas(), Qt::LeftButton, {}, m_f->at(pin) + QPoint(9, 9));
     QVERIFY(settle(m_f->session()));
     QVERIFY((m_f->session().gestures().pins()[1].centre - pin - Vec3(0, 0, 0.25)).norm() < 1e-9);
-    // Who types a number wants the straight way, not the hand's.
+    // A typed number gives a straight path, not the drawn one.
     const auto way = pinPaths(m_f->handles()[1], {pin}, 3).front().points;
     for (const Vec3& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
 }
@@ -300,7 +300,7 @@ void TestSolidWindow::longWorkIsToldAndCancelled() {
 }
 
 #ifndef WEND_SANITIZED
-/// The factor of so many vertices takes about 550 MB, and what comes before it less than a third of that.
+/// The factor of so many vertices takes about 550 MB, and the steps before it less than a third of that.
 void TestSolidWindow::whereMemoryIsShortLessIsOffered() {
     QVERIFY(m_f->openProject(3, 16000));
     QVERIFY(settle(m_f->session()));
@@ -362,7 +362,7 @@ void TestSolidWindow::turningTwistsTheBar() {
     m_f->session().gestures().moveAtOnce(grip, {M_PI / 2, 0, 0});
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().motion().frame()->distortion->flips, 0);
-    // A corner of the turned end has gone a quarter of a circle: y → z.
+    // A corner of the rotated end has moved a quarter of a circle: y → z.
     const auto frame = m_f->session().motion().frame<3>();
     for (const int v : m_f->session().pins().verticesOf(1)) {
         const Vec3 rest = frame->rest->points.col(v);
@@ -545,7 +545,7 @@ void TestSolidWindow::curvePointsAreDragged() {
     m_f->session().document().changeDesign(QStringLiteral("Curve"), *curved);
     QVERIFY(settle(m_f->session()));
     QVERIFY((m_f->session().gestures().pins()[1].centre - end).norm() < 1e-9);
-    // The last point is where the handle ends; beside the manipulator's centre it is the curve's.
+    // The last point is where the handle ends; beside the manipulator's centre the curve's point is dragged.
     const Vec3 inner = std::get<CurveMotion<3>>(m_f->handles()[1].motions.back().kind).points[2];
     const QPoint from = m_f->at(inner);
     m_f->drag(from, from + QPoint(40, 0));
@@ -575,7 +575,7 @@ void TestSolidWindow::paintingChangesTheMaterial() {
     QVERIFY(layers[0].regions.size() > 1);
     const auto& phi = m_f->session().motion().frame<3>()->material->phi;
     QVERIFY(*std::max_element(phi.begin(), phi.end()) > phi::kMetr + 0.1);
-    // What is painted is shown as long as the brush is chosen, then what was shown before.
+    // The painted material is shown while the brush is chosen, then the previous map.
     QVERIFY(m_f->window().actions().showMap->isChecked());
     QCOMPARE(m_f->window().distortionPanel().measure(), Measure::Phi);
     m_f->picture(QStringLiteral("paint"));
@@ -636,7 +636,7 @@ void TestSolidWindow::presetsTurnTheView() {
         QTest::mouseRelease(&m_f->canvas(), button, {}, from + QPoint(40, 0));
         return (m_f->canvas().viewDirection() - before).norm() > 0.05;
     };
-    // Whatever is under the pointer.
+    // The press may be over anything.
     for (const QPoint& from : {m_f->canvas().rect().center(), QPoint(8, 8)}) {
         m_f->actions().wendKeys->trigger();
         QVERIFY(turns(Qt::RightButton, from) && turns(Qt::MiddleButton, from) &&
@@ -648,7 +648,7 @@ void TestSolidWindow::presetsTurnTheView() {
     }
 }
 
-/// Whatever appears beside it.
+/// The zoom stays when panels appear beside the view.
 void TestSolidWindow::zoomedViewIsKept() {
     QVERIFY(m_f->open());
     const QPointF place(200, 200);

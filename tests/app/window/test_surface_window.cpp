@@ -35,7 +35,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// Surfaces that bound no solid, and surfaces beside a solid: what the window shows and says of them.
+/// Surfaces that bound no solid, and surfaces beside a solid: their display and messages in the window.
 class TestSurfaceWindow : public QObject {
     Q_OBJECT
   private slots:
@@ -50,7 +50,7 @@ class TestSurfaceWindow : public QObject {
     void noteOfWorkIsWhole();
     void noteTellsMeshesFromMotions();
     void detailedSurfaceIsShownAndTellsItsNotices();
-    void whatACageCarriesIsPinned();
+    void pinsAreSetOnCagedSurfaces();
 
   private:
     void openHoles();
@@ -71,7 +71,8 @@ void TestSurfaceWindow::init() {
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
 }
 
-/// Before what the banner says, in both appearances: drawn, since fonts may lack it.
+/// Checks that a warning sign precedes the banner's text, in both appearances; it is drawn, since fonts may
+/// lack it.
 bool TestSurfaceWindow::hasSign() {
     const auto* sign = m_f->window().banner().findChild<QLabel*>(QStringLiteral("bannerSign"));
     std::array<QPixmap, 2> looks;
@@ -213,7 +214,7 @@ int TestSurfaceWindow::greenPixels() {
     return count;
 }
 
-/// In the lower left corner, over whatever is shown.
+/// Checks that the axes are in the lower left corner, over any content.
 bool TestSurfaceWindow::axesAreSeen() {
     QImage over(m_f->canvas().size(), QImage::Format_ARGB32_Premultiplied);
     over.fill(Qt::transparent);
@@ -223,7 +224,7 @@ bool TestSurfaceWindow::axesAreSeen() {
     return qAlpha(over.pixel(46, over.height() - 46)) > 0;
 }
 
-/// They are off, and the button brings them.
+/// The edges are off, and the button shows them.
 bool TestSurfaceWindow::edgesAreAsTheButtonSays() {
     QAction* button = m_f->window().actions().showMesh;
     const QImage before = m_f->canvas().grabFramebuffer();
@@ -233,7 +234,7 @@ bool TestSurfaceWindow::edgesAreAsTheButtonSays() {
     return !button->isChecked() && with != before && m_f->canvas().grabFramebuffer() == before;
 }
 
-/// Controls, hints and counts of a solid; false if any speaks of one.
+/// Checks that no control, hint or count refers to a solid.
 bool TestSurfaceWindow::saysThatThereIsNoSolid() {
     auto* cut = m_f->window().findChild<CutPanel*>();
     for (const auto* box : cut->findChildren<QDoubleSpinBox*>())
@@ -246,8 +247,8 @@ bool TestSurfaceWindow::saysThatThereIsNoSolid() {
     return !m_f->session().motion().frame();
 }
 
-/// A red plate lies on the bar; most of it lies outside, which the window says.
-/// The bar without its first and its last triangle: two holes, in a cage, in the step where they are filled.
+/// Opens a bar without its first and its last triangle, which leaves two holes, in a cage, in the step where
+/// they are filled. A red plate on the bar is mostly outside, which the window reports.
 void TestSurfaceWindow::openHoles() {
     QVERIFY(m_f->open());
     m_f->session().document().undoStack()->setClean();
@@ -283,7 +284,7 @@ bool TestSurfaceWindow::says(const QString& words) {
                                [&](const QLabel* label) { return label->text().contains(words); });
 }
 
-/// One after the other.
+/// The faults are fixed one after the other.
 void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     openHoles();
     const auto domain = [&] { return m_f->domain(); };
@@ -319,7 +320,7 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     m_f->window().actions().undo->trigger();
     QCOMPARE(domain().fixes.size(), std::size_t(0));
     QVERIFY(settle(m_f->session()));
-    // Both at once, told before, in one step.
+    // Both are fixed at once, as announced, in one step.
     QPushButton* all = button(QStringLiteral("Fix all"));
     QVERIFY(QTest::qWaitFor([&] { return panel->isVisible() && fix->isEnabled(); }, 20000));
     QVERIFY(all->isEnabled());
@@ -327,7 +328,7 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
         QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
     const QString both = QStringLiteral("It would add triangles (2). It would leave 0 of 2 faults.");
     QVERIFY(QTest::qWaitFor([&] { return all->toolTip().contains(both); }, 20000));
-    // Both are seen in the view while the pointer is on the button.
+    // Both are highlighted in the view while the pointer is on the button.
     m_f->actions().front->trigger();
     const QImage one = m_f->canvas().grabFramebuffer();
     QEnterEvent enter(all->rect().center(), all->rect().center(), all->mapToGlobal(all->rect().center()));
@@ -349,8 +350,8 @@ void TestSurfaceWindow::singleFaultsAreFixedOneByOne() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// A place of the surface is seen in place of the solid: whoever takes up a tool works on the solid again.
-/// Where the panels have no room beside the view, the one with the reason opens over it.
+/// A fault is shown in place of the solid; choosing a tool returns to the solid. In a window without room for
+/// panels beside the view, the panel with the reason opens over it.
 void TestSurfaceWindow::reasonIsSeenInANarrowWindow() {
     openHoles();
     m_f->window().tools().setMode(Mode::Pins);
@@ -386,7 +387,7 @@ void TestSurfaceWindow::deskLeavesTheSolidToTools() {
     QVERIFY(!shows->isChecked() && m_f->canvas().camera().view() == view);
     m_f->click(middle.toPoint());
     QCOMPARE(m_f->handles().size(), std::size_t(1));
-    // Within the step it is the same.
+    // The same holds within the step.
     m_f->window().tools().setMode(Mode::Mesh);
     QTest::mouseClick(shows, Qt::LeftButton);
     QVERIFY(shows->isChecked());
@@ -394,7 +395,7 @@ void TestSurfaceWindow::deskLeavesTheSolidToTools() {
     QVERIFY(!shows->isChecked() && m_f->canvas().touch(middle));
 }
 
-/// What is not known yet is looked for when it is wanted, and that is told; then the whole solid is seen.
+/// Faults that are not known yet are searched for on request, with a message; then the whole solid is shown.
 void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
     openHoles();
     QTest::mouseClick(button(QStringLiteral("Show them")), Qt::LeftButton);
@@ -424,7 +425,7 @@ void TestSurfaceWindow::allAreFixedOnceThatIsKnown() {
     QVERIFY2(std::abs(seen / whole - 1) < 0.2, qPrintable(QString("%1 of %2").arg(seen).arg(whole)));
 }
 
-/// From the first time that it is shown.
+/// The note is complete from its first appearance.
 void TestSurfaceWindow::noteOfWorkIsWhole() {
     QVERIFY(m_f->open());
     auto* note = m_f->window().findChild<WorkNote*>();
@@ -435,7 +436,7 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     QVERIFY(QTest::qWaitFor([&] { return note->isVisible(); }, 20000));
     for (const QLabel* label : note->findChildren<QLabel*>())
         QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
-    // Other words have their width at once.
+    // A longer text has its width at once.
     const auto* words = note->findChild<QLabel*>();
     const int around = note->width() - words->minimumWidth();
     fine.vertices = 1000000;
@@ -446,7 +447,7 @@ void TestSurfaceWindow::noteOfWorkIsWhole() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// The mesh of before serves for another energy, not for another number of vertices.
+/// The earlier mesh is reused for another energy, but not for another number of vertices.
 void TestSurfaceWindow::noteTellsMeshesFromMotions() {
     QVERIFY(m_f->open());
     QVERIFY(settle(m_f->session()));
@@ -467,7 +468,7 @@ void TestSurfaceWindow::noteTellsMeshesFromMotions() {
     QVERIFY(settle(m_f->session()));
 }
 
-/// A fork of known size, in a cage that closes its slot; and its worst cell.
+/// A fork of known size is in a cage that closes its slot; its facts and its worst cell are shown.
 void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QVERIFY(m_f->open());
     auto* panel = m_f->window().findChild<FactsPanel*>();
@@ -504,7 +505,7 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QVERIFY(settle(session));
     m_f->window().tools().setMode(Mode::Mesh);
     QVERIFY(QTest::qWaitFor([&] { return text("factsOfFile").contains(" cm "); }, 20000));
-    // 0.5 × 1 × 1 without a slot of 0.1 × 0.8 × 1; 1.6 more on the slot's sides.
+    // 0.5 × 1 × 1 without a slot of 0.1 × 0.8 × 1; the slot's sides add 1.6.
     QCOMPARE(text("factsOfFile"),
              QStringLiteral(
                  "Surface of the file size 0.5 × 1 × 1 cm area 5.44 cm² volume 0.42 cm³ triangles 28 edges "
@@ -533,8 +534,8 @@ void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
     QVERIFY(QTest::qWaitFor([&] { return !button("Next gap")->isVisible(); }, 20000));
 }
 
-/// Pins sit where the surface is seen, not at a corner of the cage that nobody sees, also where they snap.
-void TestSurfaceWindow::whatACageCarriesIsPinned() {
+/// Pins are placed on the visible surface, not at a hidden corner of the cage, also when they snap.
+void TestSurfaceWindow::pinsAreSetOnCagedSurfaces() {
     QFile whole(m_f->writeBar()), open(m_f->folder().filePath(QStringLiteral("open.obj")));
     QVERIFY(whole.open(QIODevice::ReadOnly) && open.open(QIODevice::WriteOnly));
     const QByteArray text = whole.readAll().trimmed();

@@ -1,4 +1,4 @@
-// What the document takes over from other files: another picture, the motion of another project, a group of
+// Data that the document takes from other files: another picture, the motion of another project, a group of
 // the mesh's file as a pin.
 
 #include <QApplication>
@@ -72,7 +72,7 @@ class TestTakenOver : public QObject {
 
 namespace {
 
-/// The cut-out in other colours, or another size.
+/// Writes the cut-out in other colours, or at another size.
 void repaint(const QString& path, const QSize& size = {}) {
     QImage image(path);
     if (size.isValid()) image = image.scaled(size);
@@ -167,7 +167,7 @@ void TestTakenOver::aPictureOfAnotherSizeIsFittedWhenOpened() {
     QVERIFY(told("480 × 320"));
 }
 
-/// Of older projects nothing is written that they did not hold.
+/// Older projects are saved without keys that they did not have.
 void TestTakenOver::oldProjectsStayAsTheyAre() {
     const QString path = writeCutOut(*m_folder), project = m_folder->filePath("bar.wend");
     QVERIFY(open(path));

@@ -50,7 +50,7 @@ void TestThumbnail::write(const QString& name, const QByteArray& text) const {
     file.write(text);
 }
 
-/// 200 × 100, with a disc of diameter 50 off its middle.
+/// Writes a picture of 200 × 100 with a disc of diameter 50 off its middle.
 void TestThumbnail::writeDisc(const QString& name, const QColor& colour) const {
     QImage image(200, 100, QImage::Format_ARGB32);
     image.fill(Qt::transparent);
@@ -96,7 +96,7 @@ void TestThumbnail::keptOneIsShown() {
     const QImage first = thumbnail("disc.png").picture;
     QCOMPARE(kept().size(), 1);
     QCOMPARE(thumbnail("disc.png").picture.convertToFormat(first.format()), first);
-    // What lies in the cache is taken, whatever the file is.
+    // A picture in the cache is used, whatever the file is.
     QImage other(30, 40, QImage::Format_ARGB32);
     other.fill(Qt::cyan);
     QVERIFY(other.save(QDir(at("cache")).filePath(kept().first())));
@@ -161,8 +161,8 @@ void TestThumbnail::cardsReadOnceTheyAreSeen() {
     QTRY_COMPARE(keptNow(), 1);
 }
 
-/// A bar of 200 × 40 whose right end was pulled far up, across the way to where it can be: as wide and high
-/// as the pose that was saved, and as the file is changed by another program, like the picture again.
+/// A bar of 200 × 40 has its right end pulled far up, through its reachable places. The thumbnail has the
+/// width and height of the saved pose; once another program has changed the file, it shows the picture again.
 void TestThumbnail::savedProjectShowsWhatWasSeen() {
     MainWindow window;
     window.resize(1200, 800);

@@ -1,4 +1,5 @@
-// Every language is complete: held against what lupdate finds in the sources, and looked at in the window.
+// Every language is complete, compared with the texts that lupdate finds in the sources, and fits in the
+// window.
 
 #include <QApplication>
 #include <QDir>
@@ -107,7 +108,8 @@ void TestTranslations::languages() const {
         QTest::newRow(qPrintable(file)) << file;
 }
 
-/// What is in the sources, and no more; with the same numbers to fill in, and a key for the same entries.
+/// The translations have exactly the texts of the sources, with the same placeholders, and a key for the same
+/// entries.
 void TestTranslations::everythingIsTranslated() {
     QFETCH(QString, file);
     const std::vector<Entry> messages = messagesOf(m_folder.filePath(file));
@@ -140,7 +142,7 @@ void TestTranslations::nothingIsCutOff_data() {
                 << file << solid;
 }
 
-/// With the cards of the samples.
+/// The start page has the cards of the samples.
 void TestTranslations::startPageIsWhole() {
     QFETCH(QString, file);
     QTranslator translator;
@@ -164,7 +166,7 @@ void TestTranslations::startPageIsWhole() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral("; "))));
 }
 
-/// On a small screen, in every step of the work.
+/// Nothing is cut off on a small screen, in any step.
 void TestTranslations::nothingIsCutOff() {
     QFETCH(QString, file);
     QFETCH(bool, solid);

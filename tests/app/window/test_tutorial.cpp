@@ -21,7 +21,7 @@
 using namespace wend;
 using namespace wend::test;
 
-/// The tutorial, taken by hand: each page turns when what it says is done, and not before.
+/// The tutorial, followed by hand: each page turns when its task is done, and not before.
 class TestTutorial : public QObject {
     Q_OBJECT
   private slots:
@@ -67,7 +67,7 @@ void TestTutorial::begin() {
     QVERIFY(isSeen());
 }
 
-/// Nothing lies over it.
+/// Checks that nothing covers it.
 bool TestTutorial::isSeen() {
     const QWidget* there = m_window->childAt(card().mapTo(m_window.get(), QPoint(3, 3)));
     return there == &card();
@@ -143,7 +143,7 @@ void TestTutorial::endsWithItsButtonAndWithAnotherFile() {
     QVERIFY(!card().isVisible());
 }
 
-/// What the tutorial had one do is nobody's work; what is done with it later is, and then the question says
+/// Changes made for the tutorial are not treated as unsaved work; later ones are, and the question then says
 /// that the picture stays as it is.
 void TestTutorial::practiceIsLeftUnasked() {
     QStringList asked;

@@ -27,7 +27,7 @@ class TestVolumeView : public QObject {
     void ridingSurfaceHasItsTexture();
     void paintLiesOverASkin();
     void ridingSurfaceFollowsAndIsCut();
-    void ridingSurfaceIsWhatRaysMeet();
+    void raysMeetTheEmbeddedSurface();
     void hugeAndTinySolidsLookTheSame();
     void picturesOfTilesAreWhole();
     void surfacesAloneAreNotCut_data();
@@ -37,11 +37,11 @@ class TestVolumeView : public QObject {
     void missingPicturesAreToldOnce();
     void fitShowsGlyphs();
     void fineDrawingOutlivesTheBeginningOfAMotion();
-    void whatMovesIsInItsPlace();
+    void movingShapesAreInTheirPlace();
     void manyTrianglesAreDrawn();
     void edgesFadeWhereTheyAreDense();
     void faceOfACutHasAnOutline();
-    void whatIsCoveredShinesThrough();
+    void coveredMarksShineThrough();
     void markedTrianglesShineThrough();
     void marksOfTwoKindsDoNotMix();
     void rimIsAroundTheShapeAlone();
@@ -167,7 +167,7 @@ void TestVolumeView::cutShowsTheInside() {
 
 namespace {
 
-/// A square that lies on the top of the bar, half of it red, half of it with a picture.
+/// Returns a square on the top of the bar, half of it red, half of it with a picture.
 std::shared_ptr<Skin> plate(const QString& texture) {
     auto skin = std::make_shared<Skin>();
     skin->points.resize(3, 6);
@@ -186,7 +186,7 @@ QColor at(const QImage& image, const VolumeView& view, const Vec3& p) {
     return image.pixelColor(int(pixel.x()), int(pixel.y()));
 }
 
-/// A net of triangles over a wave, without tetrahedra behind it.
+/// Returns a triangle mesh of a wave, without tetrahedra behind it.
 VolumePicture waves(int side) {
     VolumePicture picture;
     picture.rest = std::make_shared<SimplicialMesh<3>>();
@@ -236,8 +236,7 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
     m_view->setPicture(picture, false);
     const QColor map = at(m_view->grabFramebuffer(), *m_view, {0.8, 0.25, 0.6});
     QVERIFY(map.red() > 100 && map.green() > 100 && map.blue() < 60);
-    // Over the materials it covers their grays: light is a factor, so that the colours are mixed in
-    // proportion.
+    // Over the materials it covers their grays: light is a factor, so the colours are mixed in proportion.
     picture.materials = true;
     m_view->setPicture(picture, false);
     std::array<std::array<QColor, 2>, 3> seen;
@@ -263,7 +262,7 @@ void TestVolumeView::ridingSurfaceHasItsTexture() {
 
 namespace {
 
-/// Plain faces in the light, without lines on them.
+/// Returns plain faces with lighting, without lines.
 SurfaceStyle bare() {
     SurfaceStyle style;
     style.edges = false;
@@ -272,8 +271,8 @@ SurfaceStyle bare() {
 
 }  // namespace
 
-/// White over a plate that is painted on its right: half of it is half way there, light being a factor, and
-/// on the left each pixel is what it was.
+/// White is painted over the right half of a plate: half of the amount is half of the difference, light being
+/// a factor, and on the left every pixel is unchanged.
 void TestVolumeView::paintLiesOverASkin() {
     VolumePicture picture = m_picture;
     picture.skin = plate({});
@@ -322,12 +321,12 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
     const QColor nothing = image.pixelColor(2, 2);
     QCOMPARE(at(image, *m_view, {-0.8, -0.1, 0.6}), nothing);
     QVERIFY(at(image, *m_view, {-0.8, 1, 0.6}).red() > 100);
-    // What lies above the plane goes, of the plate and of the solid behind it.
+    // The parts of the plate and of the solid above the plane are removed.
     m_view->setCut(CutKind::Exact, {Vec3::Zero(), -Vec3::UnitX()});
     image = m_view->grabFramebuffer();
     QCOMPARE(at(image, *m_view, {-0.8, 1, 0.6}), nothing);
     QVERIFY(at(image, *m_view, {0.8, 1, 0.6}) != nothing);
-    // Seen along the normal the section is the solid's, where the plate has no inside.
+    // Seen along the normal, the section is the solid's, where the plate has no inside.
     m_view->look(Camera::Axis::Left);
     m_view->fit();
     const QColor section = at(m_view->grabFramebuffer(), *m_view, {0, 1, 0});
@@ -337,8 +336,8 @@ void TestVolumeView::ridingSurfaceFollowsAndIsCut() {
     m_view->setPicture(m_picture, true);
 }
 
-/// An octahedron in the bar, |x| + |y| + |z| = 0.4: rays meet it, not the bar around it.
-void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
+/// An octahedron |x| + |y| + |z| = 0.4 is embedded in the bar: rays meet it, not the bar around it.
+void TestVolumeView::raysMeetTheEmbeddedSurface() {
     auto skin = std::make_shared<Skin>();
     skin->points.resize(3, 6);
     skin->points << Mat3(0.4 * Mat3::Identity()), Mat3(-0.4 * Mat3::Identity());
@@ -364,7 +363,8 @@ void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
         QVERIFY(std::find(corners.begin(), corners.end(), hit.vertex) != corners.end());
     }
     QCOMPARE(hitAt({0.3, 0.3, 0}).cell, -1);  // the bar is there, and is not drawn
-    // The octahedron goes with the bar, turned half about z and moved; a cut opens it as what is drawn.
+    // The octahedron follows the bar, which is rotated by half a turn about z and moved; a cut opens it as
+    // drawn.
     picture.pose.topRows<2>() *= -1;
     picture.pose.row(0).array() += 1;
     m_view->setPicture(picture, false);
@@ -377,7 +377,7 @@ void TestVolumeView::ridingSurfaceIsWhatRaysMeet() {
     m_view->setCut(CutKind::Exact, {Vec3(1, 0, 0), Vec3::UnitX()});
     QCOMPARE(hitAt({1.1, 0.1, 0}).cell, -1);
     QVERIFY(misses(hitAt({0.9, 0.1, 0}).point - Vec3::UnitX()) < 1e-6);
-    // Of a surface that reaches out of the bar, what lies beyond the plane is not met.
+    // Rays do not meet the part beyond the plane of a surface that reaches out of the bar.
     auto wide = std::make_shared<Skin>();
     wide->points.resize(3, 3);
     wide->points << -1, 1, 0, 0.3, 0.3, 0.3, 0.6, 0.6, 1.2;
@@ -416,7 +416,7 @@ void TestVolumeView::hugeAndTinySolidsLookTheSame() {
     m_view->setPicture(m_picture, true);
 }
 
-/// A picture in tiles is the one that is drawn at once, but for the last bit of the clipped projection.
+/// A picture drawn in tiles equals one drawn at once, except for the last bit of the clipped projection.
 void TestVolumeView::picturesOfTilesAreWhole() {
     m_view->setPicture(m_picture, true);
     const QImage once = m_view->picture({900, 500}, true);
@@ -441,7 +441,7 @@ void TestVolumeView::surfacesAloneAreNotCut_data() {
     QTest::newRow("exact") << int(CutKind::Exact);
 }
 
-/// A file's triangles without tetrahedra, shown where the last solid was cut.
+/// A file's triangles without tetrahedra are shown whole after a cut solid.
 void TestVolumeView::surfacesAloneAreNotCut() {
     QFETCH(int, kind);
     VolumeView view;
@@ -457,7 +457,7 @@ void TestVolumeView::surfacesAloneAreNotCut() {
     QCOMPARE(view.solid().surface().triangles.size(), std::size_t(2));
 }
 
-/// Those that it has may be the same.
+/// The remaining points may be the same.
 void TestVolumeView::anotherSolidMayHaveFewerPoints() {
     VolumeView view;
     view.resize(200, 200);
@@ -479,7 +479,7 @@ void TestVolumeView::anotherSolidMayHaveFewerPoints() {
     QCOMPARE(view.solid().surface().triangles.size(), wholeSurface(*m_picture.facets).triangles.size());
 }
 
-/// Which has an OpenGL context of its own.
+/// The other window has an OpenGL context of its own.
 void TestVolumeView::viewMovesToAnotherWindow() {
     QWidget first, second;
     for (QWidget* window : {&first, &second}) window->resize(300, 200);
@@ -542,7 +542,7 @@ void TestVolumeView::fitShowsGlyphs() {
     QVERIFY(!isInView());
 }
 
-/// Of a mesh whose triangles are pixels the surface is seen, of a coarse one the edges.
+/// A mesh whose triangles are as small as pixels shows its surface, a coarse one its edges.
 void TestVolumeView::edgesFadeWhereTheyAreDense() {
     const auto darkest = [this](int side) {
         m_view->look(Camera::Axis::Top);
@@ -616,8 +616,7 @@ void TestVolumeView::manyTrianglesAreDrawn() {
             }
 }
 
-/// Where the processor draws, edges are rough while something moves: but only once something else is to be
-/// drawn.
+/// With software rendering, edges are rough during a motion, but only once another picture is to be drawn.
 void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
     VolumePicture picture = waves(24);
     m_view->look(Camera::Axis::Isometric);
@@ -631,9 +630,9 @@ void TestVolumeView::fineDrawingOutlivesTheBeginningOfAMotion() {
     QVERIFY(m_view->grabFramebuffer() != fine);
 }
 
-/// Where the processor draws, what moves may have fewer pixels, once it has been slow: they fill the view,
-/// and at rest all are there again.
-void TestVolumeView::whatMovesIsInItsPlace() {
+/// With software rendering, a moving shape may have fewer pixels once it has been slow: they fill the view,
+/// and at rest it has all of them again.
+void TestVolumeView::movingShapesAreInTheirPlace() {
     const VolumePicture picture = waves(224);
     VolumePicture other = picture;
     other.pose.row(2) *= 1.3;
@@ -662,7 +661,7 @@ void TestVolumeView::whatMovesIsInItsPlace() {
 
 namespace {
 
-/// A square across x, as two triangles.
+/// Returns a square across x as two triangles.
 std::vector<DrawVertex> square(double x, double half, QRgb colour) {
     std::vector<DrawVertex> triangles;
     const auto corner = [&](double y, double z) {
@@ -714,9 +713,9 @@ void TestVolumeView::faceOfACutHasAnOutline() {
     m_view->setStyle({});
 }
 
-/// As pins do: a mixture where the surface lies in front, as often as they overlap; nothing where it does
-/// not.
-void TestVolumeView::whatIsCoveredShinesThrough() {
+/// The marks, such as pins, are blended where the surface is in front, once for each overlap, and not
+/// elsewhere.
+void TestVolumeView::coveredMarksShineThrough() {
     m_view->setStyle(bare());
     m_view->look(Camera::Axis::Right);
     m_view->setPicture(m_picture, true);
@@ -743,8 +742,8 @@ void TestVolumeView::whatIsCoveredShinesThrough() {
     m_view->setStyle({});
 }
 
-/// Two sheets one behind the other: a marked triangle of the second is told through the first, and looks the
-/// same where it is in front.
+/// Two sheets are one behind the other: a marked triangle of the second shines through the first, and looks
+/// the same where it is in front.
 void TestVolumeView::markedTrianglesShineThrough() {
     Points3 points(3, 6);
     points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
@@ -772,8 +771,8 @@ void TestVolumeView::markedTrianglesShineThrough() {
     QCOMPARE(colour(-1), front);
 }
 
-/// A yellow sheet before a green one: both colours are seen, in stripes, and no olive between them; before
-/// one of its own kind it is plain.
+/// A yellow sheet is in front of a green one: both colours are visible in stripes, with no olive between
+/// them; in front of one of its own kind it is plain.
 void TestVolumeView::marksOfTwoKindsDoNotMix() {
     Points3 points(3, 6);
     points << 1, 1, 1, -1, -1, -1, -1, 1, 0, -1, 1, 0, -1, -1, 1.5, -1, -1, 1.5;
@@ -809,7 +808,7 @@ void TestVolumeView::marksOfTwoKindsDoNotMix() {
     QCOMPARE(count()[0], 31 * 31);
 }
 
-/// As light as asked for just beside the shape, also where it is cut, and nowhere on it.
+/// The rim is as light as requested just beside the shape, also where it is cut, and absent on it.
 void TestVolumeView::rimIsAroundTheShapeAlone() {
     VolumePicture picture = m_picture;
     picture.cellColours.assign(picture.rest->cells.size(), qRgb(1, 1, 1));
@@ -845,7 +844,7 @@ void TestVolumeView::rimIsAroundTheShapeAlone() {
         QVERIFY(beside > 400);  // some of them beside a pixel that the shape hardly touches
         QVERIFY2(rimmed > 0.9 * beside, qPrintable(QString("%1 of %2").arg(rimmed).arg(beside)));
     }
-    // What is behind a picture with a clear background is not known.
+    // The pixels behind a picture with a transparent background are not known.
     QVERIFY(m_view->picture({200, 150}, true) ==
             (m_view->setStyle(bare()), m_view->picture({200, 150}, true)));
     m_view->setCut(CutKind::None, {});
@@ -853,8 +852,8 @@ void TestVolumeView::rimIsAroundTheShapeAlone() {
     m_view->setPicture(m_picture, true);
 }
 
-/// From black to white along the bar, on its border and on a section: light is a factor, so that the grays of
-/// one face are in proportion to the places.
+/// The map runs from black to white along the bar, on its border and on a section: light is a factor, so that
+/// the grays of one face are in proportion to the places.
 void TestVolumeView::smoothColoursChangeEvenly() {
     VolumePicture picture = m_picture;
     for (int i = 0; i < 256; ++i) picture.ramp.push_back(qRgb(i, i, i));

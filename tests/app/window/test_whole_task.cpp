@@ -1,5 +1,5 @@
-// Whole tasks by mouse and keys, on a picture and on a solid from one body: from a sample to a film, all the
-// way back, all the way forth again, to a file and out of it in another window.
+// Whole tasks by mouse and keys, with a picture and a solid in one test body: from a sample to a film, undone
+// completely, redone completely, saved and reopened in another window.
 #include <QComboBox>
 #include <QInputDialog>
 #include <QLineEdit>
@@ -28,7 +28,7 @@ using namespace wend::test;
 
 namespace {
 
-/// A long thing among the samples: places by how far along it, and how far up.
+/// Positions on a long sample: how far along it, and how far up.
 template <int Dim>
 struct Sample;
 
@@ -108,7 +108,7 @@ QPoint TestWholeTask::pin(int handle) {
     return {};
 }
 
-/// From the first place to the last one, in small moves.
+/// Drags from the first place to the last one, in small moves.
 void TestWholeTask::draw(const std::vector<QPoint>& way, Qt::KeyboardModifiers modifiers) {
     QWidget& view = m_f->view();
     QTest::mouseMove(&view, way.front());
@@ -118,7 +118,8 @@ void TestWholeTask::draw(const std::vector<QPoint>& way, Qt::KeyboardModifiers m
     QTest::mouseRelease(&view, Qt::LeftButton, modifiers, way.back());
 }
 
-/// In a window that has the keyboard: nobody gives it back after a dialog where no window manager runs.
+/// Sends the key to a window that has the keyboard: without a window manager nothing restores it after a
+/// dialog.
 void TestWholeTask::key(int key, Qt::KeyboardModifiers modifiers) {
     m_f->window().activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&m_f->window(), 20000));
@@ -126,7 +127,7 @@ void TestWholeTask::key(int key, Qt::KeyboardModifiers modifiers) {
     QTest::keyClick(&m_f->view(), static_cast<Qt::Key>(key), modifiers);
 }
 
-/// By its row in the list.
+/// Selects the handle by its row in the list.
 void TestWholeTask::select(int handle) {
     QTreeWidget& tree = *list().list();
     tree.scrollToItem(list().rowOf(handle));
@@ -143,7 +144,7 @@ void TestWholeTask::clickSign(int handle, PinList::Column column) {
         QPoint(tree.columnViewportPosition(column) + tree.columnWidth(column) / 2, row.center().y()));
 }
 
-/// The one with that name that is there to be seen.
+/// Returns the visible widget with that name.
 template <class Widget>
 Widget* TestWholeTask::shown(const QString& name) {
     for (Widget* one : m_f->window().findChildren<Widget*>())
@@ -183,7 +184,7 @@ void TestWholeTask::rename(int handle, const QString& name) {
     QVERIFY(tree.hasFocus());  // Enter ended the name alone
 }
 
-/// What was done is one step, and its shape has arrived.
+/// Checks that the last change is one step, and that its shape has arrived.
 bool TestWholeTask::done(const char* what) {
     const bool isStep = stack().index() == static_cast<int>(m_after.size());
     const std::string now = toJson(m_f->project());
@@ -225,7 +226,7 @@ void TestWholeTask::task() {
     thereAndBack<Dim>();
 }
 
-/// A coarser mesh, three pins along the shape, two parts that are held.
+/// Makes a coarser mesh, three pins along the shape, and two held parts.
 template <int Dim>
 void TestWholeTask::setPins() {
     m_f->window().findChild<FoldingSection*>(QStringLiteral("advanced"))->setOpen(true);
@@ -251,7 +252,8 @@ void TestWholeTask::setPins() {
     QCOMPARE(session().pins().count(), 7);
 }
 
-/// The pin in the middle goes up, its way becomes a curve with another point; strokes of each kind.
+/// Moves the pin in the middle up, makes its path a curve with another point, and paints strokes of each
+/// kind.
 template <int Dim>
 void TestWholeTask::bendAndPaint() {
     choose("select");
@@ -305,7 +307,7 @@ void TestWholeTask::arrangePins() {
     QVERIFY(done("another energy"));
 }
 
-/// How the way goes, when, and how long the film is; then one more motion at its end.
+/// Sets the easing, the times and the length of the film; then adds one more motion at its end.
 void TestWholeTask::makeFilm() {
     goTo(Mode::Animate);
     settleLayout(m_f->view());
@@ -334,7 +336,7 @@ void TestWholeTask::makeFilm() {
     QVERIFY(done("one more motion"));
 }
 
-/// Forth by the key, to a file, and out of it in a window of its own.
+/// Redoes by the key, saves to a file, and reopens that in another window.
 template <int Dim>
 void TestWholeTask::thereAndBack() {
     for (std::size_t i = 1; i < m_after.size(); ++i) {
@@ -354,7 +356,7 @@ void TestWholeTask::thereAndBack() {
     QVERIFY(QFile::exists(path) && stack().isClean());
     SolidFixture other;
     QVERIFY(other.openFile(path));
-    // The same but for the files that it names, which are relative to another folder.
+    // The values are the same except for the file names, which are relative to another folder.
     const auto valuesOf = [](const Project& project) {
         auto values = nlohmann::json::parse(toJson(project));
         values["domain"].erase(Dim == 2 ? "image" : "surface");
@@ -369,7 +371,7 @@ void TestWholeTask::thereAndBack() {
         QCOMPARE(seen<Dim>(other, part * end), picture);
 }
 
-/// The canvas at that time, all of the shape in it, with nothing selected and no pointer over it.
+/// Returns the canvas at that time, with all of the shape in it, nothing selected and no pointer over it.
 template <int Dim>
 QImage TestWholeTask::seen(SolidFixture& in, double time) {
     in.window().tools().setMode(Mode::Pins);

@@ -1,5 +1,5 @@
-// Every window, dialog and card in every language: no word is cut off, and whatever takes the keyboard says
-// what it is. The tests run once for each scale of the desktop.
+// Every window, dialog and card in every language: no word is cut off, and every widget that takes the
+// keyboard has an accessible name. The tests run once for each scale of the desktop.
 
 #include <QApplication>
 #include <QDir>
@@ -66,10 +66,10 @@ class TestWholeTexts : public QObject {
     static void languages();
     bool makeWindow();
     void resize(const QSize& size);
-    /// Of a window that is shown.
+    /// Checks the texts of a visible window.
     void look(const QString& what, const QWidget& at);
     void lookAtSteps(const QString& what);
-    /// At the dialog that `open` opens, which is then refused.
+    /// Checks the dialog that `open` opens, and cancels it.
     void lookAsked(const QString& what, const std::function<void()>& open);
     void bend();
     void paintLayers();
@@ -97,7 +97,7 @@ void TestWholeTexts::cleanup() {
     for (QTranslator* one : {&m_words, &m_qtWords}) QApplication::removeTranslator(one);
 }
 
-/// In the language of the row, as the program begins in it.
+/// Makes the window in the language of the row, as at the start of the program.
 bool TestWholeTexts::makeWindow() {
     QFETCH(QString, language);
     if (language != "en") {
@@ -147,7 +147,7 @@ void TestWholeTexts::lookAsked(const QString& what, const std::function<void()>&
     QVERIFY2(seen, qPrintable(what));
 }
 
-/// With every tool: what belongs to it is shown. Then once with every section of the properties.
+/// Checks the options of every tool, then every section of the properties.
 void TestWholeTexts::lookAtSteps(const QString& what) {
     resize(kSmall);
     for (const Mode mode : kModes) {
@@ -173,7 +173,7 @@ void TestWholeTexts::lookAtSteps(const QString& what) {
     }
 }
 
-/// Two pins, the right one dragged, and both selected.
+/// Sets two pins, drags the right one, and selects both.
 void TestWholeTexts::bend() {
     ShapeSession& session = m_f->session();
     session.addPin({40, 80, 0});
@@ -195,7 +195,7 @@ void TestWholeTexts::paintLayers() {
     window().properties().layers().list()->setCurrentRow(0);
 }
 
-/// What the tests below look for is found where it is.
+/// The checks of the tests below detect faults.
 void TestWholeTexts::faultsAreFound() {
     QDialog dialog;
     auto* narrow = new QPushButton(QStringLiteral("What does not have the room"), &dialog);
@@ -222,7 +222,7 @@ void TestWholeTexts::faultsAreFound() {
     QCOMPARE(nameless(dialog), QStringList());
 }
 
-/// With files that were open, and with work that is to be recovered.
+/// The start page lists recent files and work to be recovered.
 void TestWholeTexts::startPage() {
     QVERIFY(makeWindow());
     look(QStringLiteral("start"), window());
@@ -309,7 +309,7 @@ void TestWholeTexts::stepsOfPictures() {
     QVERIFY2(m_wrong.isEmpty(), qPrintable(m_wrong.join('\n')));
 }
 
-/// The list with its buttons, on a small screen without scrolling.
+/// The list with its buttons fits on a small screen without scrolling.
 void TestWholeTexts::layersAreAboveTheFold() {
     QVERIFY(makeWindow() && m_f->openPicture());
     paintLayers();
@@ -333,7 +333,7 @@ void TestWholeTexts::stepsOfSolids() {
     QVERIFY2(m_wrong.isEmpty(), qPrintable(m_wrong.join('\n')));
 }
 
-/// A surface with a hole, which is in a cage; then without one.
+/// The surface has a hole and is in a cage; then it has none.
 void TestWholeTexts::repairOfASurface() {
     QVERIFY(makeWindow());
     QTemporaryDir folder;

@@ -55,7 +55,7 @@ class TestWindow : public WindowTest {
     void stopLabelsStayApart_data();
     void stopLabelsStayApart();
     void brushAndWholeShapeReadDifferently();
-    void whatIsToldOutlastsTheHintOfItsButton();
+    void noticesOutlastTheHintOfTheirButton();
     void moreToolsAreToBeSeen();
     void saveAndLoadGiveTheSameShape();
     void closingAsks();
@@ -79,16 +79,16 @@ class TestWindow : public WindowTest {
     void samplesAreExportedElsewhere();
     void exportedMeshIsThatOfTheWindow();
     void exportsFollowEachOther();
-    void whatIsNotComputedYetIsNotExported();
+    void outdatedPosesAreNotExported();
 
   private:
-    /// Drags what is there, and waits for the shape.
+    /// Drags and waits for the shape.
     void lead(double x, double y, double dx, double dy) {
         dragPin(x, y, dx, dy);
         QTest::mouseRelease(&m_window->canvas(), Qt::LeftButton, {}, at(x + dx, y + dy));
         QVERIFY(settle(m_window->session()));
     }
-    /// As the next dialog proposes it, in that file.
+    /// Accepts the name that the next dialog proposes, in that file's folder.
     void exportNextTo(const QString& path) {
         withNext<ExportDialog>(m_window.get(), [](ExportDialog& dialog) { dialog.accept(); });
         nameNextFile(m_window.get(), path);
@@ -125,7 +125,7 @@ void TestWindow::everyActionSaysWhatItDoes() {
                  qPrintable(button->text()));
 }
 
-/// What may be dropped is known by its name, or as a picture by its first bytes.
+/// Supported files are known by their names, or pictures by their first bytes.
 void TestWindow::dropsOfOtherThingsAreRefused() {
     const auto accepted = [this](const QString& path) {
         QMimeData data;
@@ -267,7 +267,7 @@ void TestWindow::brushAndWholeShapeReadDifferently() {
     QVERIFY(titles().contains("Keep"));
 }
 
-void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
+void TestWindow::noticesOutlastTheHintOfTheirButton() {
     open();
     const auto hint = [this](const QString& text) {
         QStatusTipEvent tip(text);
@@ -281,7 +281,7 @@ void TestWindow::whatIsToldOutlastsTheHintOfItsButton() {
     QCOMPARE(hint("Open"), QString("Open"));
     QCOMPARE(hint("Write"), QString("Write"));
     QCOMPARE(hint({}), QString("Written"));
-    // It goes with what it tells of.
+    // The notice disappears with its subject.
     changeSetting(m_window->session().document(), "domain.vertices", 400);
     m_window->session().document().notify("Replaced; Undo brings it back");
     m_window->session().document().undoStack()->undo();
@@ -342,7 +342,7 @@ void TestWindow::closingAsks() {
     QVERIFY(m_window->close());
 }
 
-/// Where a pin is back, or the film loops, and the shape would not be: one click, and it is.
+/// One click makes the shape spring back if it would not although a pin has returned or the film loops.
 void TestWindow::springingBackIsOffered() {
     open();
     QVERIFY(bend());
@@ -369,7 +369,7 @@ void TestWindow::springingBackIsOffered() {
     QVERIFY(!banner.isVisible());  // it is offered once
 }
 
-/// In the step Animate a drag at a time sets the pose there; the ends stay, and the time shown, too.
+/// In the step Animate a drag at a time sets the pose there; the ends and the shown time stay.
 void TestWindow::dragsPoseAtTheShownTime() {
     open();
     QVERIFY(bend());
@@ -408,8 +408,8 @@ void TestWindow::dragsPoseAtTheShownTime() {
     QCOMPARE(motions()[1].end, end + 1);
 }
 
-/// A photograph may have its border held by a click, which is one step; a cut-out has none. The offer goes
-/// when it is done or declined, and does not come back with a project.
+/// A click holds the border of a photograph, in one step; a cut-out gets no such offer. The offer disappears
+/// when it is accepted or declined, and does not return with a project.
 void TestWindow::bordersOfPhotographsAreOffered() {
     const QString path = m_folder->filePath(QStringLiteral("photograph.png"));
     QImage photograph(120, 80, QImage::Format_RGB888);
@@ -468,7 +468,7 @@ void TestWindow::lightAndDarkHaveOneLayout() {
     }
 }
 
-/// Under each of its dots lies a light one.
+/// There is a light dot under each of its dots.
 void TestWindow::ringOfAPointIsSeenOnDark() {
     open();
     ShapeCanvas& canvas = m_window->canvas();
@@ -489,7 +489,7 @@ void TestWindow::ringOfAPointIsSeenOnDark() {
     QVERIFY2(light > 20, qPrintable(QString::number(light)));
 }
 
-/// A large picture takes a while from its file to the screen: the note of it does not go before.
+/// A large picture takes a while from its file to the screen: the note stays until then.
 void TestWindow::openingIsToldUntilThePictureIsSeen() {
     const QString path = m_folder->filePath(QStringLiteral("large.png"));
     QImage large(2000, 1500, QImage::Format_RGB888);
@@ -506,7 +506,7 @@ void TestWindow::openingIsToldUntilThePictureIsSeen() {
     QTRY_COMPARE(note->text(), QString());
 }
 
-/// A ring drawn as a line: one click, which is one step, fills it.
+/// A ring drawn as a line is filled by one click, which is one step.
 void TestWindow::lineArtIsFilled() {
     const auto ring = [this](const QString& name, double width) {
         QImage image(200, 200, QImage::Format_ARGB32);
@@ -539,8 +539,7 @@ void TestWindow::lineArtIsFilled() {
     QCOMPARE(document.domain().alpha.holes, OutlineHoles::Kept);
 }
 
-/// A glow that the cut-out leaves out may be taken along by a click, which is one step; a narrow soft edge is
-/// within anyway.
+/// A click includes a glow that the cut-out leaves out, in one step; a narrow soft edge is included anyway.
 void TestWindow::softEdgesAreTakenAlong() {
     const auto disc = [this](const QString& name, double edge) {
         QImage image(200, 200, QImage::Format_ARGB32);
@@ -616,7 +615,7 @@ void TestWindow::playRuns() {
     QVERIFY(std::is_sorted(heights.begin() + 1, heights.end()));
 }
 
-/// At 100 % a pixel of the picture is one of the screen, however many there are to a point.
+/// At 100 % a pixel of the picture is one of the screen, at any number of device pixels.
 void TestWindow::viewIsZoomed() {
     open();
     const ShapeCanvas& canvas = m_window->canvas();
@@ -638,7 +637,7 @@ void TestWindow::viewIsZoomed() {
     QVERIFY(std::abs(QLineF(canvas.toWidget({0, 0}), canvas.toWidget({1, 0})).length() - one) < 1e-9);
 }
 
-/// Where the pointer is, and how much the shape has grown, by the areas of its cells.
+/// The numbers give the pointer's place and the growth of the shape, by the areas of its cells.
 void TestWindow::numbersBelowThePicture() {
     open();
     click(40, 80);
@@ -669,7 +668,7 @@ void TestWindow::numbersBelowThePicture() {
              QStringLiteral("area +%1 %").arg(QLocale().toString(grown, 'f', 1)));
     const QPoint there = at(70, 30);
     QTest::mouseMove(&m_window->canvas(), there);
-    // A real X server tells of it in its own time.
+    // A real X server reports it with a delay.
     QTRY_COMPARE(shown(QStringLiteral("Position")), placeText(there));
 }
 
@@ -707,7 +706,7 @@ void TestWindow::exportedPictureIsWhatIsShown() {
     QVERIFY(written.data == expected.data);
 }
 
-/// 1600 × 1000 at two device pixels per pixel, with room for the frame and a task bar.
+/// The window fits 1600 × 1000 at two device pixels per pixel, with room for the frame and a task bar.
 void TestWindow::fitsASmallScreen() {
     const QSize minimum(790, 450);
     const auto fits = [&] {
@@ -747,7 +746,7 @@ void TestWindow::samplesAreExportedElsewhere() {
     QCOMPARE(proposedFolder(document), QFileInfo(document.path()).absolutePath());
 }
 
-/// Without another look at its file, which may be another one by then.
+/// The file is not read again, since it may have changed by then.
 void TestWindow::exportedMeshIsThatOfTheWindow() {
     const QString source = m_folder->filePath(QStringLiteral("quad.obj"));
     const auto write = [&source](const char* text) {
@@ -767,7 +766,7 @@ void TestWindow::exportedMeshIsThatOfTheWindow() {
     QCOMPARE(readMesh<2>(path.toStdString()).points.cols(), 4);
 }
 
-void TestWindow::whatIsNotComputedYetIsNotExported() {
+void TestWindow::outdatedPosesAreNotExported() {
     open();
     click(40, 80);
     QVERIFY(settle(m_window->session()));
