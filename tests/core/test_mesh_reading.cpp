@@ -196,10 +196,10 @@ class TestMeshReading : public QObject {
             "</DataArray><DataArray type=\"Int32\" Name=\"offsets\">3</DataArray></Lines><%3><DataArray "
             "type=\"Int64\" Name=\"connectivity\">%4</DataArray><DataArray type=\"Int64\" Name=\"offsets\">%5"
             "</DataArray></%3></Piece></PolyData></VTKFile>";
-        const auto poly = [&](const char* strips, const char* polygons, const char* section,
+        const auto poly = [&](const char* stripCount, const char* polygonCount, const char* section,
                               const char* nodes, const char* offsets) {
             return QString::fromStdString(polyData)
-                .arg(strips, polygons, section, nodes, offsets)
+                .arg(stripCount, polygonCount, section, nodes, offsets)
                 .toStdString();
         };
         add("vtp", "a.vtp", poly("0", "2", "Polys", "0 1 2 0 2 3", "3 6"));
