@@ -7,7 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
 #include "app/engine/shape/inspection.h"
-#include "app/engine/shape/told_units.h"
+#include "app/engine/shape/stated_units.h"
 #include "app/output/output_set.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
@@ -199,7 +199,7 @@ Json meshInfo(const std::string& path, const std::string& problemsFile) {
     if (dimension != 2) json["triangles"] = inspection.triangles;
     json["parts"] = inspection.parts;
     json["diagonal"] = inspection.diagonal;
-    if (const std::string units = toldUnits(path); !units.empty()) json["units"] = units;
+    if (const std::string units = statedUnits(path); !units.empty()) json["units"] = units;
     if (inspection.facts) addFacts(*inspection.facts, json);
     if (dimension > 0) {
         json[dimension == 2 ? "area" : "volume"] = inspection.quality.totalMeasure;

@@ -124,8 +124,8 @@ SvgExport::SvgExport(const Project& project, std::string folder, std::function<v
     : m_domain(domainOf(project)), m_folder(std::move(folder)), m_notice(std::move(notice)) {}
 
 void SvgExport::tell(const Message& text) {
-    if (std::ranges::find(m_told, text.text()) != m_told.end()) return;
-    m_told.push_back(text);
+    if (std::ranges::find(m_warned, text.text()) != m_warned.end()) return;
+    m_warned.push_back(text);
     if (m_notice) m_notice(text);
 }
 

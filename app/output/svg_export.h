@@ -52,7 +52,7 @@ class SvgExport {
     const Domain& m_domain;
     std::string m_folder;
     std::function<void(const Message&)> m_notice;
-    std::vector<std::string> m_told;
+    std::vector<std::string> m_warned;
     std::map<std::pair<std::string, std::string>, VectorDrawing> m_drawings;  // by file and layer
 };
 

@@ -8,7 +8,7 @@
 #include "app/base/connect_each.h"
 #include "app/engine/shape/inspection.h"
 #include "app/engine/shape/shape.h"
-#include "app/engine/shape/told_units.h"
+#include "app/engine/shape/stated_units.h"
 #include "app/panels/fields/controls.h"
 #include "app/panels/fields/panel_parts.h"
 #include "app/panels/fields/reasons.h"
@@ -59,7 +59,7 @@ QString factsText(const MeshInspection& found, const QString& unit) {
 
 QString factsOfFile(const std::string& path) {
     const MeshInspection found = inspectFile(path);
-    const QString unit = QString::fromStdString(toldUnits(path));
+    const QString unit = QString::fromStdString(statedUnits(path));
     return found.facts ? factsText(found, unit) : QString();
 }
 

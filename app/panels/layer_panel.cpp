@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/base/connect_each.h"
-#include "app/engine/shape/told_units.h"
+#include "app/engine/shape/stated_units.h"
 #include "app/panels/fields/controls.h"
 #include "app/panels/fields/energy_slider.h"
 #include "app/panels/fields/panel_parts.h"
@@ -397,7 +397,7 @@ void LayerPanel::showUnit() {
     const Domain& domain = document.domain();
     const QString unit = QString::fromStdString(
         domain.kind == DomainKind::Image ? "px"
-                                         : toldUnits(pathIn(document.folder().toStdString(), domain.path)));
+                                         : statedUnits(pathIn(document.folder().toStdString(), domain.path)));
     m_feather->setSuffix(unit.isEmpty() ? unit : ' ' + unit);
 }
 

@@ -154,7 +154,7 @@ void SurfacePanel::showProblems(const Contents& contents) {
              contents.isCaged
                  ? tr("Removes the cage: without a repair there is then no solid.")
                  : tr("Fills a cage of even cells around the surface, which is embedded in it."));
-    emit told(contents.isCaged);
+    emit faultsShown(contents.isCaged);
 }
 
 void SurfacePanel::tellOfRepair(bool helps, const QString& repair) {

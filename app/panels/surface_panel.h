@@ -45,7 +45,7 @@ class SurfacePanel : public QWidget {
 
   signals:
     /// Emitted when faults are shown; with a cage, work can continue.
-    void told(bool isCaged);
+    void faultsShown(bool isCaged);
     /// Emitted to request a view of one fault of a kind.
     void caseChosen(int kind, int number);
     /// Emitted to request the solid in place of the surface and its faults.

@@ -115,7 +115,7 @@ Properties::Properties(ShapeSession& session, Exporter& exporter, const Toolbox&
 void Properties::fill(ShapeSession& session, Exporter& exporter, const Actions& actions) {
     const Modes posing = Mode::Pins | Mode::Animate;
     put(m_surface, tr("Surface"), "volume", {.modes = Modes::all(), .flat = false});
-    connect(m_surface, &SurfacePanel::told, this, [this](bool isCaged) {
+    connect(m_surface, &SurfacePanel::faultsShown, this, [this](bool isCaged) {
         place(*m_surface).when.modes = isCaged ? Modes(Mode::Mesh) : Modes::all();
         arrange();
     });

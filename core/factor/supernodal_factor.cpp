@@ -333,7 +333,7 @@ void SupernodalFactor<Real>::Meter::start(const FactorProgress& progress, double
     m_progress = progress;
     m_work = work;
     m_done = 0;
-    m_told = 0;
+    m_reported = 0;
 }
 
 template <class Real>
@@ -341,8 +341,8 @@ void SupernodalFactor<Real>::Meter::add(double work) {
     if (!m_progress) return;
     const double done = std::min(1.0, (m_done.fetch_add(work) + work) / m_work);
     const int hundredths = static_cast<int>(100 * done);
-    int told = m_told;
-    if (hundredths > told && m_told.compare_exchange_strong(told, hundredths)) m_progress(done);
+    int reported = m_reported;
+    if (hundredths > reported && m_reported.compare_exchange_strong(reported, hundredths)) m_progress(done);
 }
 
 /// Factorizes the subtrees concurrently, one thread for each, and then the fronts of the separator with all

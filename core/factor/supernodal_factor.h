@@ -86,7 +86,7 @@ class SupernodalFactor {
         FactorProgress m_progress;
         double m_work = 1;
         std::atomic<double> m_done = 0;
-        std::atomic<int> m_told = 0;  // hundredths
+        std::atomic<int> m_reported = 0;  // hundredths
     };
     double work(int s) const;
     bool factorSubtrees(std::span<const double> values, WorkerPool& workers);

@@ -14,7 +14,7 @@ void StepProgress::start(double time, Sink sink, std::chrono::milliseconds every
     m_sink = std::move(sink);
     m_every = every;
     m_last = std::chrono::steady_clock::now();
-    m_from = m_to = m_told = time;
+    m_from = m_to = m_reported = time;
 }
 
 void StepProgress::begin(double from, double to) {
@@ -44,11 +44,11 @@ void StepProgress::tell(FieldWork work, double part) {
         ofField = kSetUp + (1 - kSetUp) * part;
     }
     const double ofStep = std::min(1.0, (m_fields + ofField) / std::max(m_expected, m_fields + 1));
-    m_told = std::max(m_told, m_from + ofStep * (m_to - m_from));
+    m_reported = std::max(m_reported, m_from + ofStep * (m_to - m_from));
     const auto now = std::chrono::steady_clock::now();
     if (now - m_last < m_every) return;
     m_last = now;
-    m_sink({m_told, work, part});
+    m_sink({m_reported, work, part});
 }
 
 }  // namespace wend

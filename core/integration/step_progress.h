@@ -41,7 +41,7 @@ class StepProgress {
     Sink m_sink;
     std::chrono::milliseconds m_every{};
     std::chrono::steady_clock::time_point m_last;
-    double m_from = 0, m_to = 0, m_told = 0;
+    double m_from = 0, m_to = 0, m_reported = 0;
     int m_fields = 0, m_expected = kFields;
     bool m_setUp = false;  // for this field a factor or levels were made
 };

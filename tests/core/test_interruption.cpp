@@ -17,9 +17,9 @@ namespace {
 
 /// Reports every assembly and product before it does them.
 template <int Dim>
-class ToldBackEnd final : public BackEnd<Dim> {
+class WatchedBackEnd final : public BackEnd<Dim> {
   public:
-    ToldBackEnd(std::unique_ptr<BackEnd<Dim>> own, std::function<void()> tell)
+    WatchedBackEnd(std::unique_ptr<BackEnd<Dim>> own, std::function<void()> tell)
         : m_own(std::move(own)), m_tell(std::move(tell)) {}
     std::string name() const override { return m_own->name(); }
     std::string device() const override { return m_own->device(); }
@@ -50,8 +50,8 @@ struct Alarm {
     BackEndFactory<Dim> factory() {
         return
             [this](auto plan, const SimplicialMesh<Dim>& rest, const Material<Dim>& material, int threads) {
-                return std::make_unique<ToldBackEnd<Dim>>(makeCpuBackEnd<Dim>(plan, rest, material, threads),
-                                                          [this] { tell(); });
+                return std::make_unique<WatchedBackEnd<Dim>>(
+                    makeCpuBackEnd<Dim>(plan, rest, material, threads), [this] { tell(); });
             };
     }
 };

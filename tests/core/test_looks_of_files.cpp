@@ -68,7 +68,7 @@ class TestLooksOfFiles : public QObject {
     void coloursInGltf();
     void coloursOfFacesAreMaterials();
     void normalsOfObj();
-    void normalsOfCornersAreTold();
+    void normalsOfCornersAreReported();
     void longWholeNumbers();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
@@ -181,7 +181,7 @@ void TestLooksOfFiles::normalsOfObj() {
     }
 }
 
-void TestLooksOfFiles::normalsOfCornersAreTold() {
+void TestLooksOfFiles::normalsOfCornersAreReported() {
     const samples::Folder folder;
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nvn 0 0 1\nvn 0 0.6 0.8\n"

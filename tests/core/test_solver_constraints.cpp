@@ -82,7 +82,7 @@ void countsDependentRows() {
 }
 
 /// Points a millionth of an edge apart are two; those that differ by rounding alone are one.
-void nearRowsAreTold() {
+void nearRowsAreReported() {
     const auto pointNear = [](double weight) {
         return ConstraintRow{{{0, 1 - 2 * weight}, {1, weight}, {2, weight}}};
     };
@@ -293,7 +293,7 @@ class TestSolverConstraints : public QObject {
     void dependence() {
         countsDependentRows<2>();
         countsDependentRows<3>();
-        nearRowsAreTold();
+        nearRowsAreReported();
         dependentRowsDoNoHarm<2>();
         dependentRowsDoNoHarm<3>();
     }

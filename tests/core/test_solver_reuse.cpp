@@ -24,7 +24,7 @@ class TestSolverReuse : public QObject {
     void velocityIsWithinTolerance();
     void toleranceHoldsWhereSinglePrecisionIsPoor();
     void singlePrecisionIsGivenUp();
-    void contractionsAreToldAsMeasured();
+    void contractionsAreReportedAsMeasured();
     void equiaAlwaysFactorizes();
     void everyTargetStaysWithinTolerance();
     void cholmodServesWhereItIsQuicker();
@@ -237,7 +237,7 @@ void TestSolverReuse::singlePrecisionIsGivenUp() {
 
 /// Without a preconditioner a step may increase the error: that is reported as measured, and differs from
 /// having no second step.
-void TestSolverReuse::contractionsAreToldAsMeasured() {
+void TestSolverReuse::contractionsAreReportedAsMeasured() {
     const LongStrip strip(60);
     const auto plan = std::make_shared<const AssemblyPlan<2>>(makeAssemblyPlan(*strip.mesh, true));
     const auto backEnd = makeCpuBackEnd<2>(plan, *strip.mesh, *strip.material, 1);

@@ -115,7 +115,7 @@ class TestStops : public QObject {
     }
 
     template <int Dim>
-    void everyReasonIsTold() {
+    void everyReasonIsReported() {
         const QString row = QTest::currentDataTag();
         Press<Dim> press(along<Dim>(-6));
         if (row == "folds") return told<Dim>(press, Outcome::CellInverted, "would fold over near");
@@ -262,10 +262,10 @@ class TestStops : public QObject {
     void settlingSaysThatItIsTooStiff3() { settlingSaysThatItIsTooStiff<3>(); }
     void flatToRoundingIsInverted2() { flatToRoundingIsInverted<2>(); }
     void flatToRoundingIsInverted3() { flatToRoundingIsInverted<3>(); }
-    void everyReasonIsTold2_data() { reasons(); }
-    void everyReasonIsTold2() { everyReasonIsTold<2>(); }
-    void everyReasonIsTold3_data() { reasons(); }
-    void everyReasonIsTold3() { everyReasonIsTold<3>(); }
+    void everyReasonIsReported2_data() { reasons(); }
+    void everyReasonIsReported2() { everyReasonIsReported<2>(); }
+    void everyReasonIsReported3_data() { reasons(); }
+    void everyReasonIsReported3() { everyReasonIsReported<3>(); }
     void nothingInvertedIsHandedOut2_data() { presses(); }
     void nothingInvertedIsHandedOut2() { nothingInvertedIsHandedOut<2>(); }
     void nothingInvertedIsHandedOut3_data() { presses(); }

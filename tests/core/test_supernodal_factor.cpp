@@ -30,9 +30,9 @@ class TestSupernodalFactor : public QObject {
     void factorThreads();
     void factorOutlivesTheChoiceOfTarget();
     void floatFactorRefuses();
-    void progressIsToldAndStopped();
+    void progressIsReportedAndStopped();
     void stoppedCholmodIsLeftAlone();
-    void memoryIsTold();
+    void memoryIsReported();
     void freeMemoryIsTheLeastLimit_data();
     void freeMemoryIsTheLeastLimit();
 };
@@ -342,7 +342,7 @@ void TestSupernodalFactor::floatFactorRefuses() {
 
 /// Progress rises to the whole; a request to stop meanwhile is heard before the end. The next factorization
 /// is unaffected.
-void TestSupernodalFactor::progressIsToldAndStopped() {
+void TestSupernodalFactor::progressIsReportedAndStopped() {
     Factored<3> scene(11, phi::kAkvf, Ordering::NestedDissection);
     std::vector<double> b(scene.system.columnStart().size() - 1, 1.0), x(b.size()), y(b.size());
     for (const int threads : {1, 2}) {
@@ -405,7 +405,7 @@ void TestSupernodalFactor::stoppedCholmodIsLeftAlone() {
 
 /// The memory is known before any is allocated: all panels, with the factor's numbers and their padding, and
 /// update matrices, of which more threads need more.
-void TestSupernodalFactor::memoryIsTold() {
+void TestSupernodalFactor::memoryIsReported() {
     Factored<3> scene(9, phi::kMetr, Ordering::NestedDissection);
     auto single = scene.factor<float>();
     auto twice = scene.factor<double>();

@@ -92,7 +92,7 @@ class TestSurfaceFixes : public QObject {
     void detachedPiecesAreRemovedToo();
     void partThatIsTurnedOver();
     void bandHasOneSide();
-    void crossingGoes();
+    void crossingDisappears();
     void oneCrossingCostsNoMoreThanAll();
     void flatAndDoubleTrianglesGo();
     void allHolesAreFilledUpToALimit();
@@ -275,7 +275,7 @@ void TestSurfaceFixes::bandHasOneSide() {
 }
 
 /// A vertex of the top that was pushed through the bottom, far below.
-void TestSurfaceFixes::crossingGoes() {
+void TestSurfaceFixes::crossingDisappears() {
     Surface surface = kBox;
     for (int v = 0; v < surface.vertexCount(); ++v)
         if (surface.points.col(v) == Vec3(3, 3, 6)) surface.points.col(v) = Vec3(3.1, 3.2, -1);

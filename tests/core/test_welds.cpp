@@ -199,7 +199,7 @@ class TestWelds : public QObject {
             QVERIFY((v.col(k) - w.col(of[static_cast<std::size_t>(k)])).norm() < 1e-9);
     }
 
-    void contradictionsAreTold() {
+    void contradictionsAreReported() {
         Mesh mesh = bodyAndLimb(kAt);
         mesh.welds = {weldAt(mesh, kJoint)};
         const auto rest = std::make_shared<const Mesh>(mesh);

@@ -15,8 +15,8 @@ class TestWendMpi : public QObject {
     void initTestCase();
     void sameShapeForAnyProcesses_data();
     void sameShapeForAnyProcesses();
-    void errorsAreToldOnce_data();
-    void errorsAreToldOnce();
+    void errorsAreReportedOnce_data();
+    void errorsAreReportedOnce();
     void runsThatCannotBeCompleted();
     void cancelledRuns();
     void lostProcessesAreNamed_data();
@@ -159,7 +159,7 @@ void TestWendMpi::sameShapeForAnyProcesses() {
     }
 }
 
-void TestWendMpi::errorsAreToldOnce_data() {
+void TestWendMpi::errorsAreReportedOnce_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
     QTest::newRow("missing") << QStringList{"run", "missing.wend"} << 3;
@@ -169,7 +169,7 @@ void TestWendMpi::errorsAreToldOnce_data() {
     QTest::newRow("other command") << QStringList{"info", "twist.wend"} << 2;
 }
 
-void TestWendMpi::errorsAreToldOnce() {
+void TestWendMpi::errorsAreReportedOnce() {
     QFETCH(QStringList, arguments);
     QFETCH(int, code);
     putProject(path(), "bad.wend", "'domain': {'mesh': 'no.mesh'}, 'handles': []");

@@ -439,7 +439,7 @@ class TestImage : public QObject {
         QCOMPARE(QImage(m_folder.filePath("window.png")).size(), QSize(40, 30));
     }
 
-    void overscanIsCutAndTold() {
+    void overscanIsCutAndReported() {
         writeExr("over.exr", chart(20, 16, {PixelType::Half, 4, true, false}), {-4, 2, 10, 30, 0, 0});
         std::vector<Message> notices;
         const Image image = readImage(path("over.exr"), kMaxMegapixels, &notices);
@@ -526,7 +526,7 @@ class TestImage : public QObject {
         QVERIFY(QString::fromStdString(notices.at(0)).contains("has 2 pictures"));
     }
 
-    void numbersThatAreNotFiniteAreTold() {
+    void numbersThatAreNotFiniteAreReported() {
         Image image = chart(9, 7, {PixelType::Float, 4, true, false});
         writeImage(path("finite.exr"), image);
         std::vector<Message> notices;

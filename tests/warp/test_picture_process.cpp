@@ -41,11 +41,11 @@ class TestPictureProcess : public QObject {
     void isKeptForTheNextPicture();
     void isReplacedAfterADamagedFile();
     void severalAtOnce();
-    void signalsAreTold_data();
-    void signalsAreTold();
-    void hangIsTold();
+    void signalsAreReported_data();
+    void signalsAreReported();
+    void hangIsReported();
 #ifndef WEND_SANITIZED  // sanitizers end a process that gets no memory
-    void littleMemoryIsTold();
+    void littleMemoryIsReported();
 #endif
     void canBeCancelled();
 
@@ -114,7 +114,7 @@ void TestPictureProcess::severalAtOnce() {
     for (auto& thread : threads) QVERIFY(thread.get());
 }
 
-void TestPictureProcess::signalsAreTold_data() {
+void TestPictureProcess::signalsAreReported_data() {
     QTest::addColumn<int>("signal");
     QTest::addColumn<QString>("reason");
     QTest::newRow("killed") << SIGKILL << "cannot be read: its reader was ended (signal 9)";
@@ -124,7 +124,7 @@ void TestPictureProcess::signalsAreTold_data() {
 
 /// The process is stopped, so that reading is under way when the signal comes. If the signal came before the
 /// request, another process has read the picture: then the next attempt waits longer.
-void TestPictureProcess::signalsAreTold() {
+void TestPictureProcess::signalsAreReported() {
     QFETCH(int, signal);
     QFETCH(QString, reason);
     std::string read;
@@ -142,7 +142,7 @@ void TestPictureProcess::signalsAreTold() {
     QVERIFY(isReadAgain());
 }
 
-void TestPictureProcess::hangIsTold() {
+void TestPictureProcess::hangIsReported() {
     const pid_t process = waiting();
     QCOMPARE(kill(process, SIGSTOP), 0);
     QCOMPARE(reasonOf({.idleSeconds = 0.3}),
@@ -153,7 +153,7 @@ void TestPictureProcess::hangIsTold() {
 
 #ifndef WEND_SANITIZED
 /// Eight megabytes are left, and the picture takes sixteen.
-void TestPictureProcess::littleMemoryIsTold() {
+void TestPictureProcess::littleMemoryIsReported() {
     readPictureHeader(path("large.webp"));  // its library is loaded
     const pid_t process = waiting();
     QFile memory(QString("/proc/%1/statm").arg(process));

@@ -18,13 +18,13 @@ namespace wend {
 
 namespace {
 
-QString told(const char* text) {
+QString translated(const char* text) {
     return QCoreApplication::translate("Options", text);
 }
 
 /// Makes a sentence of the table's phrase.
 QString sentence(std::string_view meaning) {
-    QString text = told(std::string(meaning).c_str());
+    QString text = translated(std::string(meaning).c_str());
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     return text + '.';
 }
@@ -44,14 +44,14 @@ OptionField::OptionField(std::string_view keyOrFlag, QWidget* parent)
     else
         m_option.kind == OptionKind::Integer ? makeInteger() : makeNumber();
     setFocusProxy(findChild<QWidget*>());
-    describe(focusProxy(), *words.name ? told(words.name) : withoutKey(label()),
-             *words.help ? told(words.help) : sentence(m_option.meaning));
+    describe(focusProxy(), *words.name ? translated(words.name) : withoutKey(label()),
+             *words.help ? translated(words.help) : sentence(m_option.meaning));
     setToolTip(focusProxy()->toolTip());
     row->addWidget(focusProxy());
 }
 
 QString OptionField::label() const {
-    return told(m_option.row.label);
+    return translated(m_option.row.label);
 }
 
 void OptionField::sayLabel(bool hasKey) {
@@ -74,7 +74,7 @@ QString OptionField::wordsFor(const QString& choice) const {
     const int place = placeOf(m_option, choice.toStdString());
     const char* words =
         place < static_cast<int>(m_option.row.words.size()) ? m_option.row.words[place] : nullptr;
-    return words ? told(words) : choice;
+    return words ? translated(words) : choice;
 }
 
 void OptionField::makeFlag() {
@@ -87,7 +87,7 @@ void OptionField::makeChoice() {
     for (const std::string& choice : choicesOf(m_option))
         m_choice->addItem(wordsFor(QString::fromStdString(choice)), QString::fromStdString(choice));
     for (std::size_t i = m_choice->count(); i < m_option.row.words.size() && m_option.row.words[i]; ++i)
-        m_choice->addItem(told(m_option.row.words[i]));
+        m_choice->addItem(translated(m_option.row.words[i]));
     setValue(defaultText(m_option));
     if (m_option.kind == OptionKind::Colour) letColourBeChosen();
     connect(m_choice, &QComboBox::currentIndexChanged, this, &OptionField::changed);
@@ -128,8 +128,8 @@ void OptionField::makeNumber() {
     m_number = row.anySize ? new MagnitudeBox(this) : new ExactBox(this);
     if (!row.anySize) m_number->setDecimals(row.decimals);
     m_number->setSingleStep(row.step);
-    m_number->setSuffix(told(row.unit));
-    m_number->setSpecialValueText(told(row.zero));
+    m_number->setSuffix(translated(row.unit));
+    m_number->setSpecialValueText(translated(row.zero));
     setRange(m_option.range);
     setNumber(defaultOf(m_option));
     connect(m_number, &QDoubleSpinBox::valueChanged, this, &OptionField::changed);

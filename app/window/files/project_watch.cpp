@@ -30,7 +30,7 @@ void ProjectWatch::watch(const QString& path, const QByteArray& stamp) {
         m_watcher.removePaths(all);
     m_path = path;
     m_stamp = stamp;
-    m_told = false;
+    m_reported = false;
     if (!path.isEmpty()) m_watcher.addPaths({path, QFileInfo(path).absolutePath()});
 }
 
@@ -41,8 +41,8 @@ bool ProjectWatch::isChanged() const {
 
 void ProjectWatch::look() {
     if (!m_watcher.files().contains(m_path) && QFileInfo::exists(m_path)) m_watcher.addPath(m_path);
-    if (const bool isOther = isChanged(); isOther != m_told) {
-        m_told = isOther;
+    if (const bool isOther = isChanged(); isOther != m_reported) {
+        m_reported = isOther;
         emit changed(isOther);
     }
 }

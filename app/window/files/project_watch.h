@@ -34,7 +34,7 @@ class ProjectWatch : public QObject {
     QTimer m_settle;  // a file is often written in several steps
     QString m_path;
     QByteArray m_stamp;
-    bool m_told = false;
+    bool m_reported = false;
 };
 
 }  // namespace wend

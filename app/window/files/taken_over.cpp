@@ -299,7 +299,7 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
         const Picture& picture = reading.value;
         const auto was = m_document.picture();
         Project fitted = next;
-        QString told;
+        QString note;
         const bool isSized = next.domain.parts.empty() || next.domain.size != before->domain.size;
         if (was && picture && next.domain.kind == DomainKind::Image && isSized) {
             const double factor = factorBetween({was->width, was->height}, {picture->width, picture->height});
@@ -310,8 +310,8 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
                                       .arg(was->height);
             if (factor == 0 && !mayDiffer)
                 return tell(tr("This picture has other proportions. %1").arg(sizes));
-            if (factor == 0) told = tr("The picture has other proportions now. %1").arg(sizes);
-            if (factor != 0 && factor != 1) told = tr("Pins and paths are scaled with it. %1").arg(sizes);
+            if (factor == 0) note = tr("The picture has other proportions now. %1").arg(sizes);
+            if (factor != 0 && factor != 1) note = tr("Pins and paths are scaled with it. %1").arg(sizes);
             if (factor != 0) scalePixels(fitted, factor);
             if (fitted.domain.size[0] > 0)  // old projects stay without it
                 fitted.domain.size = {picture->width, picture->height};
@@ -321,7 +321,7 @@ void PictureKeeper::exchange(const Project& next, const QString& name, bool mayD
             picture && was && (was->width != picture->width || was->height != picture->height);
         m_document.change(name, std::move(fitted));
         if (isResized) m_fit.trigger();
-        if (!told.isEmpty()) tell(told);  // the change takes earlier lines back
+        if (!note.isEmpty()) tell(note);  // the change takes earlier lines back
     });
 }
 

@@ -329,7 +329,7 @@ void Offers::follow() {
 RidingOffer::RidingOffer(ShapeSession& session, InfoBanner& banner, QObject* parent)
     : QObject(parent), m_session(session), m_banner(banner) {
     connect(&session.document(), &Document::opened, this, [this] {
-        m_told = 0;
+        m_offered = 0;
         m_lookedAt.reset();
     });
     connect(&session.motion(), &ShapeMotion::frameChanged, this, &RidingOffer::look);
@@ -345,8 +345,8 @@ void RidingOffer::look() {
     m_lookedAt = document.project();
     const std::vector<StrayPart> strays = strayParts(m_session);
     if (strays.empty()) m_banner.clear(InfoBanner::Topic::Riding);
-    if (!strays.empty() && strays.size() != m_told) offer(strays);
-    m_told = strays.size();
+    if (!strays.empty() && strays.size() != m_offered) offer(strays);
+    m_offered = strays.size();
 }
 
 void RidingOffer::offer(const std::vector<StrayPart>& strays) {
@@ -442,7 +442,7 @@ ShapeNotices::ShapeNotices(ShapeSession& session, InfoBanner& banner, QObject* p
     connect(&session.motion(), &ShapeMotion::frameChanged, this, &ShapeNotices::follow);
     connect(&session.document(), &Document::opened, this, [this] {  // messages belong to the document
         m_shape.reset();
-        m_hasTold = false;
+        m_hasShown = false;
     });
 }
 
@@ -477,8 +477,8 @@ void ShapeNotices::tell() {
     }
     if (frame->built->refineHelps)
         lines << tr("“Refine surface” in the panel “Mesh” allows the surface's triangles to be split.");
-    if (!lines.isEmpty() || m_hasTold) m_banner.tell(InfoBanner::Topic::Mesh, lines.join('\n'), remedies);
-    m_hasTold = !lines.isEmpty();
+    if (!lines.isEmpty() || m_hasShown) m_banner.tell(InfoBanner::Topic::Mesh, lines.join('\n'), remedies);
+    m_hasShown = !lines.isEmpty();
 }
 
 /// Core names the vertices; the window shows the parts instead.
@@ -505,7 +505,7 @@ void ShapeNotices::pinHanging() {
                             ShapeSession::tr("Pin").toStdString());
     }
     m_session.document().endStep();
-    m_hasTold = false;
+    m_hasShown = false;
     m_banner.clear(InfoBanner::Topic::Mesh);
 }
 

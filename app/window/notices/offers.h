@@ -84,7 +84,7 @@ class RidingOffer : public QObject {
     ShapeSession& m_session;
     InfoBanner& m_banner;
     std::shared_ptr<const Project> m_lookedAt;
-    std::size_t m_told = 0;
+    std::size_t m_offered = 0;
 };
 
 /// Returns whether a handle that has moved ends where it began.
@@ -135,7 +135,7 @@ class ShapeNotices : public QObject {
     ShapeSession& m_session;
     InfoBanner& m_banner;
     std::shared_ptr<const void> m_shape;  // the rest mesh that was reported
-    bool m_hasTold = false;               // and there was something to say
+    bool m_hasShown = false;              // and there was something to say
 };
 
 }  // namespace wend

@@ -460,7 +460,7 @@ QString SurfaceCheck::textOf(const FaultFix& fix) const {
 }
 
 void SurfaceCheck::tellOfFix() {
-    const auto told = [this](const std::shared_ptr<const FaultFix>& fix, const QString& none) {
+    const auto textOr = [this](const std::shared_ptr<const FaultFix>& fix, const QString& none) {
         if (!fix) return QString();
         return fix->steps.empty() ? none : textOf(*fix);
     };
@@ -468,8 +468,8 @@ void SurfaceCheck::tellOfFix() {
         m_panel.showFix(tr("Looking for what fixes all of these …"), false);
         return m_panel.showFixOfAll({}, false);
     }
-    m_panel.showFix(told(m_fix, tr("No simple step fixes this one.")), m_fix && !m_fix->steps.empty());
-    m_panel.showFixOfAll(told(m_all.fix, tr("No simple steps fix all of these.")),
+    m_panel.showFix(textOr(m_fix, tr("No simple step fixes this one.")), m_fix && !m_fix->steps.empty());
+    m_panel.showFixOfAll(textOr(m_all.fix, tr("No simple steps fix all of these.")),
                          !m_all.fix || !m_all.fix->steps.empty());
 }
 

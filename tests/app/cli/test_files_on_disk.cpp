@@ -43,7 +43,7 @@ class TestFilesOnDisk : public QObject {
     void aFailedSaveIsForgottenByTheNext();
     void linesHoldEachForItself();
     void projectsDoNotReplaceTheirPicture();
-    void transparentPicturesAreTold();
+    void transparentPicturesAreReported();
     void movedPicturesAreFound();
     void ownFilesAreAskedFor();
     void namesGetTheirExtensionBeforeTheQuestion();
@@ -248,7 +248,7 @@ void TestFilesOnDisk::projectsDoNotReplaceTheirPicture() {
     QVERIFY(readTextFile(picture.toStdString()) == before);
 }
 
-void TestFilesOnDisk::transparentPicturesAreTold() {
+void TestFilesOnDisk::transparentPicturesAreReported() {
     QImage nothing(60, 40, QImage::Format_ARGB32);
     nothing.fill(Qt::transparent);
     nothing.save(file("nothing.png"));

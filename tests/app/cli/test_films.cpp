@@ -166,7 +166,7 @@ class TestFilms : public QObject {
     void ffmpegFails();
     void filesMayNotGrow();
     void filmIsCancelled();
-    void versionIsTold();
+    void versionIsReported();
     void impossibleFilmsAreRefused_data();
     void impossibleFilmsAreRefused();
     void inputsAreNotReplaced();
@@ -605,7 +605,7 @@ void TestFilms::filmIsCancelled() {
     }
 }
 
-void TestFilms::versionIsTold() {
+void TestFilms::versionIsReported() {
     const QString own = QString::fromUtf8(outputOf("ffmpeg", {"-version"})).section(' ', 2, 2);
     QVERIFY(!own.isEmpty());
     const QStringList lines = runCli(m_folder.path(), {"--version"}).out.split('\n');

@@ -73,7 +73,7 @@ void TestShellsCli::initTestCase() {
 void TestShellsCli::choices_data() {
     QTest::addColumn<QStringList>("options");
     QTest::addColumn<double>("volume");
-    QTest::addColumn<bool>("isTold");
+    QTest::addColumn<bool>("isReported");
     QTest::newRow("auto") << QStringList() << kVolumes[0] + kVolumes[2] << true;
     QTest::newRow("holes") << QStringList{"--shells", "holes"} << kVolumes[0] + kVolumes[2] << false;
     QTest::newRow("regions") << QStringList{"--shells", "regions"} << 216.0 << false;
@@ -82,13 +82,13 @@ void TestShellsCli::choices_data() {
 void TestShellsCli::choices() {
     QFETCH(QStringList, options);
     QFETCH(double, volume);
-    QFETCH(bool, isTold);
+    QFETCH(bool, isReported);
     const CliResult result =
         run(QStringList{"mesh", "nested.obj", "-o", "n.vtu", "--vertices", "400"} + options);
     QCOMPARE(result.code, 0);
     QCOMPARE(result.error.contains("nested.obj: shells lie one in the other, up to 3 deep; spaces filled: 2, "
                                    "hollow: 1; `shells`: \"regions\" fills all"),
-             isTold);
+             isReported);
     QVERIFY(std::abs(volumeOf(readMeshFile(file("n.vtu"))) - volume) < 1e-9);
 }
 

@@ -60,7 +60,7 @@ class TestCompute : public QObject {
     void laterPinMovesNothing();
     void nudgesMerge();
     void foldsStopTheHandle();
-    void problemsAreTold();
+    void problemsAreReported();
     void cancelGoesBack_data();
     void cancelGoesBack();
     void firstMeshIsCancelled();
@@ -495,7 +495,7 @@ void TestCompute::foldsStopTheHandle() {
     QVERIFY(m_session->gestures().pins()[1].centre.x() > 40);
 }
 
-void TestCompute::problemsAreTold() {
+void TestCompute::problemsAreReported() {
     open();
     const Points2 before = m_session->motion().frame<2>()->pose;
     QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);

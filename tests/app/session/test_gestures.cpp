@@ -37,7 +37,7 @@ class TestGestures : public QObject {
     void handlesThatAreGoneDoNotMove();
     void handlesThatAreGoneCanBeRemoved();
     void pinSitsWhereItWasClicked();
-    void clicksBesideTheShapeAreTold();
+    void clicksBesideTheShapeAreReported();
     void fixedStepsGoOnAsInTheFile();
     void newPinDoesNotDim();
     void settlingIsAStepOfItsOwn();
@@ -288,7 +288,7 @@ void TestGestures::pinSitsWhereItWasClicked() {
     QVERIFY((inPlane(points[0]) - far).norm() < 1e-9);
 }
 
-void TestGestures::clicksBesideTheShapeAreTold() {
+void TestGestures::clicksBesideTheShapeAreReported() {
     open();
     QSignalSpy notices(&m_session->document(), &Document::notice);
     QCOMPARE(m_session->addPin({5, 5, 0}), -1);

@@ -99,7 +99,7 @@ class TestMaterialPictures : public QObject {
     void cellsComeFromMeshFiles();
     void commandLineWritesAndPaints();
     void windowBringsInAndWrites();
-    void brokenPicturesAreTold();
+    void brokenPicturesAreReported();
 };
 
 /// The picture covers the bounding box, whatever its size; every cell has the mean of its pixels.
@@ -377,7 +377,7 @@ void TestMaterialPictures::windowBringsInAndWrites() {
     QCOMPARE(session.document().design().material.layers.back().name, std::string("ramp"));
 }
 
-void TestMaterialPictures::brokenPicturesAreTold() {
+void TestMaterialPictures::brokenPicturesAreReported() {
     QTemporaryDir folder;
     SolidFixture f;
     QVERIFY(f.openPicture());

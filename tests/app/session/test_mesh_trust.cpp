@@ -51,15 +51,15 @@ class TestMeshTrust : public QObject {
     void initTestCase() { m_base = m_folder.path().toStdString(); }
     void looselyAttachedPartsAreReported();
     void looselyAttachedSolidsAreReported();
-    void sizesBeyondNumbersAreTold();
-    void oneSpareVertexIsToldAsOne();
-    void missedQualityIsTold();
+    void sizesBeyondNumbersAreReported();
+    void oneSpareVertexIsReportedAsOne();
+    void missedQualityIsReported();
     void goodQualityIsNot();
-    void largerHolesAreTold();
+    void largerHolesAreReported();
     void tornSurfaceMovesAsOne();
     void tornMeshMovesAsOne();
-    void spareVerticesOfMeshesAreTold();
-    void errorAtTheEndIsTold();
+    void spareVerticesOfMeshesAreReported();
+    void errorAtTheEndIsReported();
 
   private:
     std::string file(const std::string& name) const { return m_base + "/" + name; }
@@ -134,7 +134,7 @@ void TestMeshTrust::looselyAttachedSolidsAreReported() {
 
 /// The facts about a box hold for any size whose squares and volumes are representable; beyond that no
 /// numbers are given.
-void TestMeshTrust::sizesBeyondNumbersAreTold() {
+void TestMeshTrust::sizesBeyondNumbersAreReported() {
     const auto inspected = [this](double size) {
         Surface scaled = kBar;
         scaled.points *= size;
@@ -154,7 +154,7 @@ void TestMeshTrust::sizesBeyondNumbersAreTold() {
     }
 }
 
-void TestMeshTrust::oneSpareVertexIsToldAsOne() {
+void TestMeshTrust::oneSpareVertexIsReportedAsOne() {
     Surface spare = kBar;
     spare.points.conservativeResize(Eigen::NoChange, spare.vertexCount() + 1);
     spare.points.rightCols(1) << 1, 0.5, 0.5;
@@ -164,7 +164,7 @@ void TestMeshTrust::oneSpareVertexIsToldAsOne() {
 }
 
 /// A plate a hundredth thick, whose faces may not be split, has no round cells.
-void TestMeshTrust::missedQualityIsTold() {
+void TestMeshTrust::missedQualityIsReported() {
     test::writeSurface(file("plate.obj"), test::box({0, 0, 0}, {1, 1, 0.01}, 1));
     const Shape<3> plate = solid("'surface': 'plate.obj', 'maxVolume': 1, 'quality': 2");
     const MeshVerdict& verdict = plate.verdict.value();
@@ -199,7 +199,7 @@ void TestMeshTrust::goodQualityIsNot() {
     QVERIFY(bar.verdict->got > 0.6 && !bar.verdict->missed());  // a regular tetrahedron's is 0.61
 }
 
-void TestMeshTrust::largerHolesAreTold() {
+void TestMeshTrust::largerHolesAreReported() {
     Surface holed = kBar;
     holed.triangles.pop_back();
     test::writeSurface(file("holed.obj"), holed);
@@ -281,7 +281,7 @@ void TestMeshTrust::tornMeshMovesAsOne() {
 }
 
 /// The input stays as it is, and users of solvers are warned.
-void TestMeshTrust::spareVerticesOfMeshesAreTold() {
+void TestMeshTrust::spareVerticesOfMeshesAreReported() {
     Surface spare = test::surfaceOf(stripMesh(2, 1));
     spare.points.conservativeResize(Eigen::NoChange, 8);
     spare.points.rightCols(2) << 2, 9, 1, 9, 0, 0;
@@ -300,7 +300,7 @@ void TestMeshTrust::spareVerticesOfMeshesAreTold() {
     QVERIFY((pointsOf(*out).col(6) - Vec3(2.2, 1.1, 0)).norm() < 1e-9);
 }
 
-void TestMeshTrust::errorAtTheEndIsTold() {
+void TestMeshTrust::errorAtTheEndIsReported() {
     writeMesh<2>(file("strip.obj"), stripMesh(6, 2));
     RunOutputs outputs;
     outputs.report = {file("report.json")};

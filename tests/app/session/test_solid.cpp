@@ -4,7 +4,7 @@
 
 #include "app/engine/shape/shape_builder.h"
 #include "app/engine/shape/solid.h"
-#include "app/engine/shape/told_units.h"
+#include "app/engine/shape/stated_units.h"
 #include "app/output/report.h"
 #include "app/project/design.h"
 #include "app/project/domain.h"
@@ -26,8 +26,8 @@ class TestSolid : public QObject {
     void initTestCase();
     void surfaceBecomesSolid();
     void tetrahedraKeepOrder();
-    void aimThatCannotBeMetIsTold();
-    void coarseSurfaceIsTold();
+    void aimThatCannotBeMetIsReported();
+    void coarseSurfaceIsReported();
     void repairIsAsked_data();
     void repairIsAsked();
     void singleFaultsArePutRight_data();
@@ -35,16 +35,16 @@ class TestSolid : public QObject {
     void cageIsChosenByItself_data();
     void cageIsChosenByItself();
     void cageCarriesTheSurface();
-    void partsThatShareACageAreTold();
-    void gapsThatACageClosesAreTold();
+    void partsThatShareACageAreReported();
+    void gapsThatACageClosesAreReported();
     void unitsAreThoseThatTheFileTells_data();
     void unitsAreThoseThatTheFileTells();
     void cageIsMadeAgainWhenItChanges();
     void handlesByNumberKeepTheSurface();
     void sizesFollowRegionsAndPaint();
     void wrongPaintIsRefused();
-    void detailRides();
-    void detailFarOffIsTold();
+    void detailFollows();
+    void detailFarOffIsReported();
     void builderKeepsWhatHolds();
     void filesOpen_data();
     void filesOpen();
@@ -108,13 +108,13 @@ void TestSolid::tetrahedraKeepOrder() {
     QVERIFY((bar.embedding->carry(*bar.rest, bar.rest->points) == bar.skin->points));
 }
 
-void TestSolid::aimThatCannotBeMetIsTold() {
+void TestSolid::aimThatCannotBeMetIsReported() {
     const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 20, 'cage': false");  // it has more
     QCOMPARE(bar.notices.size(), std::size_t(1));
     QVERIFY(QString::fromStdString(bar.notices[0]).contains("where 20 were aimed at"));
 }
 
-void TestSolid::coarseSurfaceIsTold() {
+void TestSolid::coarseSurfaceIsReported() {
     test::writeSurface(m_base + "/cube.obj", test::box({0, 0, 0}, {1, 1, 1}));
     const Shape<3> kept = solid("'surface': 'cube.obj', 'vertices': 700");
     QVERIFY(QString::fromStdString(kept.notices.at(0))
@@ -238,7 +238,7 @@ void TestSolid::cageCarriesTheSurface() {
     }
 }
 
-void TestSolid::partsThatShareACageAreTold() {
+void TestSolid::partsThatShareACageAreReported() {
     test::writeSurface(m_base + "/near.obj", test::joined(kBar, test::box({3.01, 0, 0}, {4, 1, 1}, 2)));
     test::writeSurface(m_base + "/apart.obj", test::joined(kBar, test::box({9, 0, 0}, {10, 1, 1}, 2)));
     const auto told = [&](const char* file) {
@@ -257,7 +257,7 @@ void TestSolid::partsThatShareACageAreTold() {
 
 /// A fork has a slot of a tenth: the report gives its place, its width, and the number of vertices that opens
 /// it.
-void TestSolid::gapsThatACageClosesAreTold() {
+void TestSolid::gapsThatACageClosesAreReported() {
     test::writeSurface(m_base + "/fork.obj", test::fork(0.1));
     const auto caged = [this](int vertices) {
         return solid("'surface': 'fork.obj', 'cage': true, 'vertices': " + std::to_string(vertices));
@@ -305,7 +305,7 @@ void TestSolid::unitsAreThoseThatTheFileTells() {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(text);
     file.close();
-    QCOMPARE(QString::fromStdString(toldUnits(file.fileName().toStdString())), units);
+    QCOMPARE(QString::fromStdString(statedUnits(file.fileName().toStdString())), units);
 }
 
 void TestSolid::cageIsMadeAgainWhenItChanges() {
@@ -351,7 +351,7 @@ void TestSolid::wrongPaintIsRefused() {
     QVERIFY_THROWS_EXCEPTION(InputError, solid("'surface': 'bar.obj', 'sizes': [{'values': 'word.txt'}]"));
 }
 
-void TestSolid::detailRides() {
+void TestSolid::detailFollows() {
     const Shape<3> bar = solid("'surface': 'bar.obj', 'vertices': 400, 'detail': 'fine.ply'");
     QCOMPARE(bar.skin->vertexCount(), test::box({0, 0, 0}, {1, 1, 1}, 20).vertexCount());
     Mat3 A;
@@ -361,7 +361,7 @@ void TestSolid::detailRides() {
     QVERIFY(bar.embedding->outside() > 0);
 }
 
-void TestSolid::detailFarOffIsTold() {
+void TestSolid::detailFarOffIsReported() {
     const Shape<3> bar = solid("'mesh': 'bar.mesh', 'detail': 'far.ply'");
     QVERIFY(QString::fromStdString(bar.notices.at(0)).contains("lie outside the solid"));
 }

@@ -32,7 +32,7 @@ class TestSpaceAreas : public QObject {
     void regionsChangeTheSelectedHandle();
     void controlClickTakesOneVertexAway();
     void measuresAtAnyPoint();
-    void sizesAndValuesAreTold();
+    void sizesAndValuesAreReported();
     void velocityIsTheFieldItself();
     void stiffAlongStrokeViewAndNumbers();
 
@@ -257,7 +257,7 @@ void TestSpaceAreas::measuresAtAnyPoint() {
     QVERIFY2(tool.text().contains(QStringLiteral("length 4,")), qPrintable(tool.text()));
 }
 
-void TestSpaceAreas::sizesAndValuesAreTold() {
+void TestSpaceAreas::sizesAndValuesAreReported() {
     QVERIFY(m_f->holdEnds());
     m_f->session().selection().set({0, 1});
     m_f->tool("measure")->trigger();

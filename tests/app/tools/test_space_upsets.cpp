@@ -30,7 +30,7 @@ class TestSpaceUpsets : public QObject {
     void undoEndsTheDragOfACurvePoint();
     void chosenPointsStayWithTheirCurve();
     void closedLassoSelectsItsInside();
-    void takingAwayFromNothingIsTold();
+    void takingAwayFromNothingIsReported();
     void framesKeepTypedText();
     void untouchedNumbersKeepTheirDigits();
     void untouchedAxesKeepTheirDigits();
@@ -200,7 +200,7 @@ void TestSpaceUpsets::closedLassoSelectsItsInside() {
     QVERIFY(m_f->session().pins().verticesOf(1).size() > before + 5);
 }
 
-void TestSpaceUpsets::takingAwayFromNothingIsTold() {
+void TestSpaceUpsets::takingAwayFromNothingIsReported() {
     QSignalSpy notices(&m_f->session().document(), &Document::notice);
     m_f->tool("ball")->trigger();
     m_f->drag(m_f->at({1.5, -0.5, 0}), m_f->at({1.5, -0.5, 0}) + QPoint(60, 0), Qt::ControlModifier);

@@ -33,9 +33,9 @@ class TestExportDialog : public QObject {
     void everyOptionOfARunIsThere();
     void formatsDecideWhatIsAsked();
     void transparencyIsOfferedWhereItIsHeld();
-    void cropIsToldAndFits();
-    void littleThatIsCutOffIsToldToo();
-    void cropsAreToldSideBySide();
+    void cropIsReportedAndFits();
+    void littleThatIsCutOffIsReportedToo();
+    void cropsAreReportedSideBySide();
     void aLoopFitsItsCycle();
     void previewIsWhatIsWritten();
     void opaqueFormatsArePreviewedOnTheirGround();
@@ -253,7 +253,7 @@ static bool addLetter(QSet<QString>& letters, const QString& text) {
     return isNew;
 }
 
-void TestExportDialog::cropIsToldAndFits() {
+void TestExportDialog::cropIsReportedAndFits() {
     open(writeCutOut(*m_folder));
     auto still = dialog(ExportKind::Picture);
     QVERIFY(!still->findChild<QWidget*>(QStringLiteral("cropNote"))->isVisible());
@@ -298,7 +298,7 @@ void TestExportDialog::cropIsToldAndFits() {
 }
 
 /// A crop of less than the outline's margin still cuts parts that had reached the outline.
-void TestExportDialog::littleThatIsCutOffIsToldToo() {
+void TestExportDialog::littleThatIsCutOffIsReportedToo() {
     open(writeCutOut(*m_folder));
     bend(0, 60);
     const double below = session().motion().frame<2>()->pose.row(1).maxCoeff() - 160;
@@ -309,7 +309,7 @@ void TestExportDialog::littleThatIsCutOffIsToldToo() {
 }
 
 /// Each side is reported with its own number: of the pose for a picture, of the whole motion for a film.
-void TestExportDialog::cropsAreToldSideBySide() {
+void TestExportDialog::cropsAreReportedSideBySide() {
     open(writeCutOut(*m_folder));
     const auto told = [&](ExportKind kind) {
         const auto asked = dialog(kind);

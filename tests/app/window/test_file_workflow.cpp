@@ -31,7 +31,7 @@ class TestFileWorkflow : public QObject {
     void theCopyStaysUntilThereIsANewOne();
     void aFailedRecoveryKeepsTheCopy();
     void lostWorkWaitsAsACard();
-    void lostWorkIsToldBesideAnotherFile();
+    void lostWorkIsReportedBesideAnotherFile();
     void changesDuringAReadingAreAskedFor();
     void samplesOpenAsCopies();
     void savingWithoutChangesWritesNothing();
@@ -142,7 +142,7 @@ void TestFileWorkflow::lostWorkWaitsAsACard() {
 }
 
 /// The requested file is opened; the banner mentions the unsaved work and recovers it.
-void TestFileWorkflow::lostWorkIsToldBesideAnotherFile() {
+void TestFileWorkflow::lostWorkIsReportedBesideAnotherFile() {
     leaveLostWork(writeCutOut(*m_folder));
     m_window->files().guardWork(m_copies);
     m_window->files().tellLostWhenOpened();

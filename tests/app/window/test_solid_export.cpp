@@ -52,7 +52,7 @@ class TestSolidExport : public QObject {
     void filmIsCancelled();
     void filmIsAtChoiceWhereThereIsMotion();
     void legendAndMarksAreAtChoice();
-    void badPlacesAreTold();
+    void badPlacesAreReported();
 
   private:
     bool finish(const std::function<void()>& write);
@@ -422,7 +422,7 @@ void TestSolidExport::legendAndMarksAreAtChoice() {
     QVERIFY(dialog.choice().transparent && !dialog.choice().legend && !dialog.choice().marks);
 }
 
-void TestSolidExport::badPlacesAreTold() {
+void TestSolidExport::badPlacesAreReported() {
     QVERIFY(!finish(
         [&] { m_window->exporter().write(ExportKind::Mesh, file(QStringLiteral("missing/shape.vtu"))); }));
     QVERIFY(m_failure.contains(QStringLiteral("missing")));

@@ -58,7 +58,7 @@ class TestSolidWindow : public QObject {
     void clickPinsAndArrowMoves();
     void escapeRestoresAndUndoTakesBack();
     void typedNumbersAreExact();
-    void longWorkIsToldAndCancelled();
+    void longWorkIsReportedAndCancelled();
 #ifndef WEND_SANITIZED  // sanitizers take all addresses themselves
     void whereMemoryIsShortLessIsOffered();
 #endif
@@ -278,7 +278,7 @@ void TestSolidWindow::typedNumbersAreExact() {
     for (const Vec3& p : way) QVERIFY((p - pin).head<2>().norm() < 1e-9);
 }
 
-void TestSolidWindow::longWorkIsToldAndCancelled() {
+void TestSolidWindow::longWorkIsReportedAndCancelled() {
     m_f->window().statusBar()->showMessage(QStringLiteral("a button's hint"));
     QVERIFY(m_f->open());
     QVERIFY(m_f->window().statusBar()->currentMessage().isEmpty());  // the hint is not drawn over it

@@ -46,7 +46,7 @@ class TestSurfaceWindow : public QObject {
     void reasonIsSeenInANarrowWindow();
     void deskLeavesTheSolidToTools();
     void allAreFixedOnceThatIsKnown();
-    void factsAreToldAndGapsAreOpened();
+    void factsAreReportedAndGapsAreOpened();
     void noteOfWorkIsWhole();
     void noteTellsMeshesFromMotions();
     void detailedSurfaceIsShownAndTellsItsNotices();
@@ -469,7 +469,7 @@ void TestSurfaceWindow::noteTellsMeshesFromMotions() {
 }
 
 /// A fork of known size is in a cage that closes its slot; its facts and its worst cell are shown.
-void TestSurfaceWindow::factsAreToldAndGapsAreOpened() {
+void TestSurfaceWindow::factsAreReportedAndGapsAreOpened() {
     QVERIFY(m_f->open());
     auto* panel = m_f->window().findChild<FactsPanel*>();
     const auto text = [&](const char* name) {

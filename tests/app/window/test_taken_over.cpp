@@ -61,7 +61,7 @@ class TestTakenOver : public QObject {
             if (button->text() == text && button->isVisible()) return button;
         return nullptr;
     }
-    bool told(const char* what) {
+    bool hasSaid(const char* what) {
         return QTest::qWaitFor([&] { return m_window->banner().text().contains(what); }, 20000);
     }
     PictureKeeper& pictures() { return *m_window->findChild<PictureKeeper*>(); }
@@ -99,7 +99,7 @@ void TestTakenOver::aRepaintedPictureIsOffered() {
     QVERIFY(open(path));
     const auto before = document().picture();
     repaint(path);
-    QVERIFY(told("was changed by another program"));
+    QVERIFY(hasSaid("was changed by another program"));
     QTest::mouseClick(remedy("Reload"), Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return document().picture() != before; }, 20000));
     QVERIFY(settle(m_window->session()));
@@ -117,7 +117,7 @@ void TestTakenOver::keepingLeavesIt() {
     QVERIFY(open(path));
     const auto before = document().picture();
     repaint(path);
-    QVERIFY(told("was changed by another program"));
+    QVERIFY(hasSaid("was changed by another program"));
     QTest::mouseClick(remedy("Keep"), Qt::LeftButton);
     QCOMPARE(m_window->banner().text(), QString());
     QCOMPARE(document().picture(), before);
@@ -136,7 +136,7 @@ void TestTakenOver::aLargerPictureTakesThePinsAlong() {
     const auto placed = [&] { return std::get<std::vector<Vec3>>(document().design().handles[0].at)[0]; };
     QCOMPARE(placed(), Vec3(180, 240, 0));
     QCOMPARE(document().domain().path, large.toStdString());
-    QVERIFY(told("720 × 480"));
+    QVERIFY(hasSaid("720 × 480"));
     QCOMPARE(fits.count(), 1);  // all of it is seen
     QVERIFY(settle(m_window->session()));
     document().undoStack()->undo();
@@ -150,7 +150,7 @@ void TestTakenOver::otherProportionsAreRefused() {
     const QString square = writeCutOut(*m_folder, "square.png");
     repaint(square, {300, 300});
     pictures().replace(square);
-    QVERIFY(told("other proportions"));
+    QVERIFY(hasSaid("other proportions"));
     QCOMPARE(document().project(), before);
 }
 
@@ -164,7 +164,7 @@ void TestTakenOver::aPictureOfAnotherSizeIsFittedWhenOpened() {
     repaint(path, {480, 320});
     QVERIFY(open(project));
     QCOMPARE(std::get<std::vector<Vec3>>(document().design().handles[0].at)[0], Vec3(120, 160, 0));
-    QVERIFY(told("480 × 320"));
+    QVERIFY(hasSaid("480 × 320"));
 }
 
 /// Older projects are saved without keys that they did not have.
@@ -250,7 +250,7 @@ void TestTakenOver::motionOfAnotherProject() {
     QCOMPARE(std::get<Translate<3>>(handles[1].motions[0].kind).by, Vec3(0, -20, 0));
     QCOMPARE(document().undoStack()->undoText(), QString("Apply motion of moving.wend"));
     m_window->findChild<MotionChooser*>()->apply(m_folder->filePath("none.wend"));
-    QVERIFY(told("This motion cannot be applied"));
+    QVERIFY(hasSaid("This motion cannot be applied"));
 }
 
 void TestTakenOver::exportChoicesBelongToTheDocument() {

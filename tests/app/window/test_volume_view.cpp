@@ -34,7 +34,7 @@ class TestVolumeView : public QObject {
     void surfacesAloneAreNotCut();
     void anotherSolidMayHaveFewerPoints();
     void viewMovesToAnotherWindow();
-    void missingPicturesAreToldOnce();
+    void missingPicturesAreReportedOnce();
     void fitShowsGlyphs();
     void fineDrawingOutlivesTheBeginningOfAMotion();
     void movingShapesAreInTheirPlace();
@@ -498,7 +498,7 @@ void TestVolumeView::viewMovesToAnotherWindow() {
     QCOMPARE(view->picture({64, 64}, true).pixelColor(32, 32).alpha(), 255);
 }
 
-void TestVolumeView::missingPicturesAreToldOnce() {
+void TestVolumeView::missingPicturesAreReportedOnce() {
     VolumeView view;
     view.resize(200, 200);
     QSignalSpy missing(&view, &VolumeView::picturesMissing);

@@ -64,7 +64,7 @@ class TestWindow : public WindowTest {
     void dragsPoseAtTheShownTime();
     void lineArtIsFilled();
     void softEdgesAreTakenAlong();
-    void openingIsToldUntilThePictureIsSeen();
+    void openingIsReportedUntilThePictureIsSeen();
     void lightAndDarkHaveOneLayout();
     void ringOfAPointIsSeenOnDark();
     void unreadableFilesLeaveALine();
@@ -490,7 +490,7 @@ void TestWindow::ringOfAPointIsSeenOnDark() {
 }
 
 /// A large picture takes a while from its file to the screen: the note stays until then.
-void TestWindow::openingIsToldUntilThePictureIsSeen() {
+void TestWindow::openingIsReportedUntilThePictureIsSeen() {
     const QString path = m_folder->filePath(QStringLiteral("large.png"));
     QImage large(2000, 1500, QImage::Format_RGB888);
     large.fill(QColor(40, 90, 60));

@@ -1,4 +1,4 @@
-#include "app/engine/shape/told_units.h"
+#include "app/engine/shape/stated_units.h"
 
 #include <algorithm>
 #include <cctype>
@@ -77,7 +77,7 @@ std::string unitIn(const std::string& line) {
 
 }  // namespace
 
-std::string toldUnits(const std::string& path) {
+std::string statedUnits(const std::string& path) {
     const std::string extension = lowerExtension(path), head = headOf(path);
     if (extension == ".stl") return unitIn(head.substr(0, std::min<std::size_t>(80, head.find('\n'))));
     std::istringstream lines(head);
