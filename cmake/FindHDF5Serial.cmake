@@ -1,4 +1,4 @@
-# HDF5 for one process, which Debian keeps beside those for MPI: HDF5Serial::HDF5Serial.
+# The serial HDF5 library, which Debian installs beside the parallel ones. Defines HDF5Serial::HDF5Serial.
 find_path(HDF5Serial_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
 find_library(HDF5Serial_LIBRARY NAMES hdf5_serial hdf5)
 include(FindPackageHandleStandardArgs)

@@ -1,4 +1,4 @@
-# liblz4, which Debian ships without a package configuration: LZ4::LZ4.
+# Debian ships no CMake config for liblz4. Defines LZ4::LZ4.
 find_path(LZ4_INCLUDE_DIR lz4.h)
 find_library(LZ4_LIBRARY lz4)
 include(FindPackageHandleStandardArgs)

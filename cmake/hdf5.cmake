@@ -1,4 +1,4 @@
-# wend-hdf5, which reads and writes HDF5 files, is built where the library is; -DWEND_HDF5=ON insists on it, OFF leaves it out.
+# wend-hdf5 reads and writes HDF5 files. It is built if the library is installed; -DWEND_HDF5=ON requires it, OFF omits it.
 set(WEND_HDF5 AUTO CACHE STRING "Build wend-hdf5 for MED, CGNS, XDMF and Exodus files: AUTO, ON or OFF")
 set_property(CACHE WEND_HDF5 PROPERTY STRINGS AUTO ON OFF)
 set(WEND_HAS_HDF5 OFF)

@@ -1,6 +1,6 @@
-# What `cmake --install` puts where. The program finds all of it from its own place (core/base/child_process.cpp,
-# app/base/program_files.cpp): the folder can be moved, and the sources may go. Components are the packages of
-# cmake/packages.cmake; what libwend and the Python module start, too, goes with libwend.
+# Install rules. The program finds its files relative to its own path (core/base/child_process.cpp,
+# app/base/program_files.cpp), so the installed folder can be moved and needs no sources. The components are the packages
+# of cmake/packages.cmake; programs that libwend and the Python module start, too, belong to libwend.
 include(GNUInstallDirs)
 set(resources ${PROJECT_SOURCE_DIR}/resources)
 set(helpers_component program)
@@ -19,7 +19,7 @@ endif()
 if(WEND_HAS_OPENCL)
     install(TARGETS wend-clprobe DESTINATION lib/wend COMPONENT ${helpers_component})
 endif()
-# libwend and what find_package(wend) needs.
+# libwend, its headers, and the files for find_package(wend).
 if(WEND_LIBRARY)
     include(CMakePackageConfigHelpers)
     set(wend_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/wend)
@@ -32,7 +32,7 @@ if(WEND_LIBRARY)
     write_basic_package_version_file(${CMAKE_BINARY_DIR}/wend-config-version.cmake VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
     install(FILES ${CMAKE_BINARY_DIR}/wend-config.cmake ${CMAKE_BINARY_DIR}/wend-config-version.cmake DESTINATION ${wend_cmake} COMPONENT dev)
 endif()
-if(WEND_HAS_PYTHON)  # where Python of Debian looks below /usr
+if(WEND_HAS_PYTHON)  # below /usr, Debian's Python searches this folder
     install(TARGETS wend_python DESTINATION lib/python3/dist-packages COMPONENT python)
     install(FILES ${PROJECT_SOURCE_DIR}/python/wend.pyi DESTINATION lib/python3/dist-packages COMPONENT python)
 endif()
@@ -64,7 +64,7 @@ install(FILES ${resources}/wend.metainfo.xml DESTINATION share/metainfo COMPONEN
 install(FILES ${resources}/wend.thumbnailer DESTINATION share/thumbnailers COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/wend COMPONENT program)
 
-# Plug-ins, where their programs look below /usr; ParaView is told where its own is.
+# Plug-ins, in the folders below /usr that their programs search; ParaView gets the path of its own.
 set(plugins ${PROJECT_SOURCE_DIR}/plugins)
 install(FILES ${plugins}/inkscape/wend_bend.inx ${plugins}/inkscape/wend_bend.py ${plugins}/inkscape/wend_curves.py
     DESTINATION share/inkscape/extensions COMPONENT program)

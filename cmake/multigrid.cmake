@@ -1,4 +1,4 @@
-# wend-mpi, multigrid in many processes, is built where PETSc is; -DWEND_MULTIGRID=ON insists on it, OFF leaves it out.
+# wend-mpi runs multigrid in many processes. It is built if PETSc is installed; -DWEND_MULTIGRID=ON requires it, OFF omits it.
 set(WEND_MULTIGRID AUTO CACHE STRING "Build multigrid in many processes, wend-mpi: AUTO, ON or OFF")
 set_property(CACHE WEND_MULTIGRID PROPERTY STRINGS AUTO ON OFF)
 set(WEND_HAS_MULTIGRID OFF)

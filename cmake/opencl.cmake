@@ -1,4 +1,4 @@
-# The OpenCL back end is built where its headers are; -DWEND_OPENCL=ON insists on it, OFF leaves it out.
+# The OpenCL back end is built if the headers are installed; -DWEND_OPENCL=ON requires it, OFF omits it.
 set(WEND_OPENCL AUTO CACHE STRING "Build the OpenCL back end: AUTO, ON or OFF")
 set_property(CACHE WEND_OPENCL PROPERTY STRINGS AUTO ON OFF)
 set(WEND_HAS_OPENCL OFF)

@@ -1,5 +1,5 @@
-# cpack: Debian packages. With WEND_LIBRARY they are wend, libwend0, libwend-dev, python3-wend and wend-doc, whose pages
-# scripts/packages/build makes, otherwise wend alone; and gimp-wend where GIMP's headers are.
+# Debian packages by cpack: wend alone, or with WEND_LIBRARY wend, libwend0, libwend-dev, python3-wend and wend-doc, whose
+# pages scripts/packages/build makes. gimp-wend is added if GIMP's headers are installed.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME wend)
 set(CPACK_PACKAGE_CONTACT "The authors of Wend <maintainers@wend.invalid>")
@@ -12,7 +12,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
-# The words of all packages. wend_package(COMPONENT NAME SECTION SUMMARY DESCRIPTION): with its copyright and changelog.
+# wend_package(COMPONENT NAME SECTION SUMMARY DESCRIPTION): describes a package and adds its copyright and changelog.
 file(READ LICENSE license)
 string(REPLACE "\n" "\n " license " ${license}")
 string(REPLACE "\n \n" "\n .\n" license "${license}")

@@ -1,13 +1,13 @@
-# Precompiled headers: most of the time that a file takes to compile goes into the same headers of Eigen, Qt and the standard
-# library. Three sets, since what links Qt is compiled with other options, and one for what is optimized most (WEND_HOT). -DWEND_PCH=OFF builds without them, and so finds a
-# file that forgot an include.
+# Precompiled headers: most files spend most of their compilation on the same headers of Eigen, Qt and the standard library.
+# There are three sets, because targets that link Qt have other compiler options, and a fourth for the most optimized
+# targets (WEND_HOT). -DWEND_PCH=OFF builds without them, which finds missing includes.
 option(WEND_PCH "Compile the headers that most files include once" ON)
 
 set(WEND_PCH_STANDARD <algorithm> <array> <atomic> <cmath> <cstddef> <cstdint> <cstring> <filesystem> <fstream> <functional> <iterator>
     <limits> <map> <memory> <mutex> <numbers> <numeric> <optional> <set> <span> <sstream> <stdexcept> <stop_token> <string>
     <string_view> <thread> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <Eigen/LU>)
 
-# Those of Qt that several files include; all of <QtWidgets> takes twice as long to load.
+# Qt headers that several files include; loading all of <QtWidgets> takes twice as long.
 set(WEND_PCH_QT ${WEND_PCH_STANDARD} <QCoreApplication> <QDir> <QFile> <QFileInfo> <QHash> <QList> <QLocale> <QObject> <QPointer>
     <QPointF> <QRegularExpression> <QSet> <QSettings> <QString> <QStringList> <QThreadPool> <QTimer> <QVariant>)
 set(WEND_PCH_WIDGETS ${WEND_PCH_QT} <QAction> <QActionGroup> <QApplication> <QBoxLayout> <QCheckBox> <QColor> <QComboBox>
@@ -24,7 +24,7 @@ if(WEND_PCH)
     foreach(set hot_core core)
         wend_precompile(wend_pch_${set})
         target_precompile_headers(wend_pch_${set} PRIVATE ${WEND_PCH_STANDARD})
-        wend_hide_symbols(wend_pch_${set})  # a set is compiled with the options of the files that take it
+        wend_hide_symbols(wend_pch_${set})  # a set needs the same options as the files that use it
     endforeach()
     foreach(set hot_qt qt)
         wend_precompile(wend_pch_${set} Qt6::Core)
@@ -39,7 +39,7 @@ if(WEND_PCH)
     endforeach()
 endif()
 
-# wend_pch_kind(result LIBRARIES…): core, qt or widgets, the set that fits what a target links.
+# wend_pch_kind(result LIBRARIES…): sets result to core, qt or widgets, the set that matches the linked libraries.
 function(wend_pch_kind result)
     set(kind core)
     if(ARGN MATCHES "Qt6::Widgets|wend::(style|tools|panels|window|(picture|shape|volume)_view)")

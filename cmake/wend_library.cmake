@@ -1,11 +1,11 @@
-# Unity builds: a compiler gets several files of a library at once, since most of the time that one takes goes into the headers that
-# it shares with its neighbours. Off where single files are edited, and where missing includes are to be found. Names in anonymous
-# namespaces differ within a library.
+# Unity builds compile several files of a library at once, because most of the time is spent on headers that neighbours share.
+# Turn them off (WEND_UNITY) to edit single files or to find missing includes. Names in anonymous namespaces must differ within
+# a library.
 option(WEND_UNITY "Compile several files of a library at once" OFF)
-set(WEND_UNITY_BATCH 40)      # files that are compiled at once, at most: with 10 the rooms of widgets take half as long again
-set(WEND_UNITY_BATCH_HOT 20)  # where templates are optimized most, for which a compiler needs much memory
+set(WEND_UNITY_BATCH 40)      # files compiled at once, at most; with 10 the widget libraries take half as long again
+set(WEND_UNITY_BATCH_HOT 20)  # for heavily optimized templates, which need much memory
 
-# wend_share_compilations(target BATCH SOURCES…): all but those that Highway includes once for every SIMD target.
+# wend_share_compilations(target BATCH SOURCES…): enables unity builds, except for files that Highway includes once per SIMD target.
 function(wend_share_compilations target batch)
     foreach(source ${ARGN})
         file(STRINGS ${source} targets REGEX "foreach_target\\.h" LIMIT_COUNT 1)
@@ -13,12 +13,12 @@ function(wend_share_compilations target batch)
             set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
         endif()
     endforeach()
-    # The macro that instantiates a file's templates for both dimensions is the file's own.
+    # Every file defines its own macro to instantiate its templates for both dimensions.
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch}
         UNITY_BUILD_CODE_AFTER_INCLUDE "#undef WEND_INSTANTIATE")
 endfunction()
 
-# wend_hide_symbols(target): what knows no Qt may become part of libwend and of the Python module, which show their own functions only.
+# wend_hide_symbols(target): hides the symbols of targets without Qt, because libwend and the Python module export only their own functions.
 function(wend_hide_symbols target)
     if(NOT WEND_LIBRARY)
         return()
@@ -26,9 +26,8 @@ function(wend_hide_symbols target)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# The rooms of the program whose loops take its time are optimized as far as the compiler can. The others, which wait for these, for files or
-# for a hand, are optimized as is usual, which takes a tenth less of the time to compile them; those of widgets less, which takes a quarter
-# less. The results are the same, to the last bit.
+# Libraries with the time-critical loops are compiled with -O3, the others with -O2, which saves a tenth of their compilation
+# time, and widgets with -O1, which saves a quarter. The results are the same to the last bit.
 set(WEND_HOT cages outlines mesh energy factor assembly solver motion integration warp kernels mpi shape engine style
     shape_view picture_view volume_view)
 set(WEND_USUAL_core $<$<CONFIG:Release>:-O2>)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes the pictures of what can be kept (resources/keep/*.png) with the program itself: a spotted disc, held at the left and
-# pulled at the right, deformed with each of the four energies. In the plane all four; a solid's volume looks as area does.
+# Makes the pictures of the choices of “Keep” (resources/keep/*.png) with the program itself: a spotted disc, held at the left
+# and pulled at the right, deformed with each of the four energies. Volume in solids uses the picture of area.
 # Usage: keep_pictures.sh [WEND]   WEND: the program, by default the one on PATH. Needs ImageMagick and optipng.
 set -eu
 wend=$(realpath "${1:-$(command -v wend)}")
@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# disc FILL SPOT: rings of spots, so that one sees what grows and what turns
+# disc FILL SPOT: rings of spots, which show growth and rotation
 disc() {
     spots=$(awk 'BEGIN { print "circle 310,500 346,500"
         for (ring = 1; ring <= 2; ++ring) for (i = 0; i < 6 * ring; ++i) {

@@ -1,14 +1,14 @@
-# Sourced by setup.sh. Tells what a build does: in one changing line on a terminal, in a line for every tenth of it elsewhere.
-# The clock is only for what is told; nothing depends on it.
+# Sourced by setup.sh. Reports the progress of a build: in one changing line on a terminal, elsewhere in a line for every tenth.
+# The clock serves the reports only; nothing depends on it.
 
 seconds_per_step=5 # of one core, measured without ccache; an estimate for the first line
 
-minutes_of() { # STEPS: what they take on this machine, in whole minutes
+minutes_of() { # STEPS: estimates their time on this machine in whole minutes
     awk -v steps="$1" -v each="$seconds_per_step" -v cores="$(nproc)" \
         'BEGIN {m = steps * each / cores / 60; print (m > 1 ? int(m + 0.5) : 1)}'
 }
 
-announce_build() { # STEPS WHEN: one line as soon as ninja says how many steps there are; none for a few files
+announce_build() { # STEPS WHEN: prints one line once the number of steps is known; nothing for a few files
     local minutes cores what="Building what changed"
     [ "$1" -lt 20 ] && return
     minutes=$(minutes_of "$1")
@@ -18,7 +18,7 @@ announce_build() { # STEPS WHEN: one line as soon as ninja says how many steps t
         "(less where ccache has seen them)."
 }
 
-step_name() { # DESCRIPTION of ninja: what a person calls it
+step_name() { # DESCRIPTION: puts ninja's description of a step into plain words
     local text=$1
     case "$text" in
     "Building CXX object "*cmake_pch*) text="headers that most files include" ;;
@@ -36,7 +36,7 @@ step_name() { # DESCRIPTION of ninja: what a person calls it
     echo "$text"
 }
 
-time_left() { # SECONDS DONE TOTAL: nothing until the pace is known
+time_left() { # SECONDS DONE TOTAL: prints nothing until the pace is known
     [ "$2" -lt 20 ] || [ "$2" -ge "$3" ] && return
     local left=$(($1 * ($3 - $2) / $2))
     [ "$left" -lt 5 ] && return

@@ -1,24 +1,25 @@
-# Sourced by .ci/run and scripts/check-all: the tests under a sanitizer, group by group as scripts/sanitized.txt says.
+# Sourced by .ci/run and scripts/check-all. Runs the tests under a sanitizer in the groups of scripts/sanitized.txt.
 
 export ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 export QTEST_FUNCTION_TIMEOUT=3000000 # milliseconds: ten times the usual
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1:halt_on_error=1:second_deadlock_stack=1:suppressions=$root/scripts/tsan.supp
 
-listed() { # KIND: the names on the lines of that kind
+listed() { # KIND: prints the names on the lines of that kind
     sed -n "s/^$1 //p" "$root/scripts/sanitized.txt"
 }
 
-left_out() { # BUILD-FOLDER: the lines of what is not run under its sanitizer, without their first word
+left_out() { # BUILD-FOLDER: prints the tests that do not run under its sanitizer
     listed "\(not\|not-$(basename "$1")\)"
 }
 
-tests_of() { # BUILD-FOLDER: the names of all tests
+tests_of() { # BUILD-FOLDER: prints the names of all tests
     ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p'
 }
 
-# Groups, one a line, each after what it needs built: `wend` or nothing. What no line names is the last one, what is left out in none.
-groups_of() { # BUILD-FOLDER [ci]: only those of .ci/run
+# Prints the groups, one per line, each after the target that it needs: `wend` or nothing. The last group holds all tests that no
+# line names; tests that are left out are in no group.
+groups_of() { # BUILD-FOLDER [ci]: with ci only the groups of .ci/run
     local all named kind group
     all=$(tests_of "$1")
     named=" $(listed '\(group\|parts\|ci\)' | tr '\n' ' ') $(left_out "$1" | sed 's/ .*//' | tr '\n' ' ') "
@@ -37,12 +38,12 @@ groups_of() { # BUILD-FOLDER [ci]: only those of .ci/run
     echo
 }
 
-# Builds these within so many seconds, and runs those of them that are tests; sets passed and failed. Fails, with neither, where the
-# time did not suffice for the build: a slow machine must not take what it has shown for nothing.
+# Builds these targets within the given seconds and runs those that are tests; sets passed and failed. Fails without setting them
+# if the build ran out of time: a slow machine keeps the results that it has.
 run_group() { # BUILD-FOLDER SECONDS NAME…
     local folder=$1 time=$2 targets=(wend-tetgen wend-cage) status
     shift 2
-    # A test that is no program of its own is a script, or another program once more.
+    # A test without a program of its own is a script, or runs the program of another test again.
     mapfile -t -O 1 targets < <(ninja -C "$folder" -t targets all | sed 's/:.*//' | grep -xF -f <(printf '%s\n' "$@"))
     passed=0 failed=1
     NINJA_STATUS='[%f/%t] ' timeout --foreground "$time" ninja -C "$folder" "${targets[@]}" 2>&1 | narrate_build >&2
@@ -53,7 +54,7 @@ run_group() { # BUILD-FOLDER SECONDS NAME…
     return 0
 }
 
-sanitize() { # PRESET LAST-MINUTE [ci]: what is not built by then is named and not run; sets all_passed and all_failed
+sanitize() { # PRESET LAST-MINUTE [ci]: names groups that are not built by then and skips them; sets all_passed and all_failed
     local folder=$root/build/$1 group left late=()
     all_passed=0 all_failed=0
     configure "$1" || { all_failed=1; return; }

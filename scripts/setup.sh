@@ -1,5 +1,5 @@
-# Sourced by ./wend, ./test and .ci/run: installs what is missing and builds. Quick when nothing changed.
-# setup PURPOSE… : installs the packages of these purposes.   build TARGET… : configures if needed and builds.
+# Sourced by ./wend, ./test and .ci/run: installs missing packages and builds. Quick when nothing changed.
+# setup PURPOSE…: installs the packages for these purposes.   build TARGET…: configures if needed and builds.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$root/build/release
@@ -41,7 +41,7 @@ setup() { # PURPOSE…
         $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
 }
 
-configure() { # PRESET OPTION…: quietly; all that cmake said where it failed
+configure() { # PRESET OPTION…: prints the output of cmake only if it fails
     local log
     log=$(mktemp)
     echo "Configuring." >&2
@@ -53,7 +53,7 @@ configure() { # PRESET OPTION…: quietly; all that cmake said where it failed
     rm -f "$log"
 }
 
-configured_with() { # NAME=VALUE…: whether the build is configured so
+configured_with() { # NAME=VALUE…: succeeds if the build has these settings
     [ -e "$build_dir/build.ninja" ] || return 1
     for setting in "$@"; do
         grep -q "^${setting%%=*}:BOOL=${setting#*=}\$" "$build_dir/CMakeCache.txt" || return 1

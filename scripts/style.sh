@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.." || exit 1
 long_subjects() {
     local base
     base=$(git rev-parse --quiet --verify 'v0.3.0^{commit}') || base=da52c1eca213
-    git merge-base --is-ancestor "$base" HEAD 2>/dev/null || return 1  # a shallow clone, or no repository
+    git merge-base --is-ancestor "$base" HEAD 2>/dev/null || return 1  # in a shallow clone or without a repository
     git log --no-merges --format='%h %s' "$base..HEAD" |
         python3 -c 'import sys
 long = [line for line in sys.stdin.read().splitlines() if len(line.split(" ", 1)[1]) > 72]
@@ -14,7 +14,7 @@ print(*("subject over 72 characters: " + line for line in long), sep="\n", end="
 sys.exit(not long)'
 }
 
-mapfile -t files < <(git ls-files --cached --others --exclude-standard '*.h' '*.cpp')  # new ones, too
+mapfile -t files < <(git ls-files --cached --others --exclude-standard '*.h' '*.cpp')  # including new files
 case "${1:-}" in
 --fix) exec clang-format -i "${files[@]}" ;;
 --tidy)

@@ -1,7 +1,7 @@
-# Sourced by ./test and .ci/run: runs tests and says what a run comes to.
+# Sourced by ./test and .ci/run. Runs tests and counts their results.
 
-# Qt Test prints "Totals: N passed, N failed, N skipped, …" per program; a program that failed without it counts once. A test
-# that was skipped has shown nothing: it counts as failed, and so does a program that did not run.
+# Qt Test prints "Totals: N passed, N failed, N skipped, …" per program; a program that fails without this line counts once. A
+# skipped test counts as failed, and so does a program that did not run.
 count_totals() { # RESULTS.xml LOG STATUS: sets passed and failed
     local skipped programs
     read -r passed failed skipped < <(grep -h '^Totals: ' "$1" 2>/dev/null |
@@ -16,12 +16,12 @@ count_totals() { # RESULTS.xml LOG STATUS: sets passed and failed
     fi
 }
 
-say_totals() { # PASSED FAILED: the last line of a run; succeeds if nothing failed and something passed
+say_totals() { # PASSED FAILED: prints the last line of a run; succeeds if nothing failed and something passed
     echo "$1 passed, $2 failed"
     [ "$2" -eq 0 ] && [ "$1" -gt 0 ]
 }
 
-run_tests() { # BUILD-FOLDER CTEST-ARGUMENT…: without a display; sets passed and failed
+run_tests() { # BUILD-FOLDER CTEST-ARGUMENT…: runs ctest without a display; sets passed and failed
     local folder=$1 status
     shift
     export QT_QPA_PLATFORM=offscreen

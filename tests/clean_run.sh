@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# clean_run.sh PROGRAM ARGUMENT…: runs a test, which fails also if it leaves anything in the folder for temporary files, or settings of
-# the program in the home of who runs it. Qt keeps where its own dialogs were, which is none of ours.
+# clean_run.sh PROGRAM ARGUMENT…: runs a test, and fails also if it leaves temporary files, or settings of the program in the
+# user's home. The places of Qt's own dialogs, which Qt stores, are ignored.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -m 700 "$work/temporary" "$work/settings" "$work/runtime"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# completion.sh WEND: every option of the program's help is in its manual page and is completed by bash and fish
-# (where that is installed), and is in the script for zsh, and man finds nothing to warn of.
+# completion.sh WEND: checks that every option of the program's help is in its manual page, in the script for zsh, and in
+# the completions of bash and fish (if installed), and that man prints no warnings.
 set -eu
 wend=$1
 folder=$(mktemp -d)
@@ -10,7 +10,7 @@ mkdir "$folder/man"
 "$wend" reference --man "$folder/man"
 for shell in bash zsh fish; do "$wend" reference --completion $shell >"$folder/wend.$shell"; done
 . "$folder/wend.bash"
-bash_offers() { # WORD…: the last one is completed
+bash_offers() { # WORD…: prints the completions of the last word
     COMP_WORDS=(wend "$@") COMP_CWORD=$#
     compopt() { :; }
     _wend

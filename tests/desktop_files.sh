@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# desktop_files.sh: what desktops and software centres read is as their specifications say.
+# desktop_files.sh: checks the files for desktops and software centres against their specifications.
 set -eu
 cd "$(dirname "$0")/../resources"
 desktop-file-validate wend.desktop
 appstreamcli validate --no-net wend.metainfo.xml
-# The file type is known to whoever looks a project up.
+# The MIME database knows the type of project files.
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/mime/packages"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# full_disk.sh WEND: writes every kind of file onto a disk (a tmpfs) that is 0 to 4 pages too small for it, with an old file in
-# place. With room enough the file must come out byte for byte as elsewhere; without, the program must say in one line how much is
-# free, exit with 5, and leave the old file and nothing else. Mounting needs root, or the right to be root in a namespace of one's own.
+# full_disk.sh WEND: writes every kind of file onto a disk (a tmpfs) that is 0 to 4 pages too small for it and holds an old file
+# of that name. With enough room the file must have the same bytes as elsewhere. Otherwise the program must print one line with the
+# free space, exit with 5, and leave only the old file. Mounting needs root, or the right to be root in a user namespace.
 set -u
 if [ -z "${own_mounts:-}" ]; then
     for way in --mount "--mount --map-root-user"; do
@@ -43,7 +43,7 @@ fail() {
     lost=$((lost + 1))
 }
 
-# pages FILE…: how many the files take, each a whole number
+# pages FILE…: prints the number of pages of the files, each rounded up
 pages() {
     local sum=0 size file
     for file in "$@"; do
@@ -53,7 +53,7 @@ pages() {
     echo "$sum"
 }
 
-# attempt KEPT OPTIONS…: an output that is written to the disk; KEPT is the name that an old file has there.
+# attempt KEPT OPTIONS…: writes an output to the disk; KEPT is the name of the old file there.
 attempt() {
     local kept=$1 missing need room said code
     shift
@@ -61,7 +61,7 @@ attempt() {
     "$wend" run photo.wend --quiet "${@//DISK/reference}" || fail "$*: nothing to compare with"
     need=$(pages reference/*)
     for missing in 0 1 2 3 4; do
-        room=$((need + 1 - missing)) # and one for the old file
+        room=$((need + 1 - missing)) # and one page for the old file
         [ "$room" -gt 1 ] || continue
         runs=$((runs + 1))
         mount -t tmpfs -o size=$((room * 4096)) none "$disk" || exit 1
@@ -75,7 +75,7 @@ attempt() {
             for file in reference/*; do
                 case $file in
                 *.exr | *.tif) [ "$(stat -c %s "$file")" -eq "$(stat -c %s "$disk/${file#*/}")" ] ;;
-                *.json) python3 -m json.tool "$disk/${file#*/}" >/dev/null ;; # it tells how long the run took
+                *.json) python3 -m json.tool "$disk/${file#*/}" >/dev/null ;; # it contains the duration of the run
                 *) cmp "$file" "$disk/${file#*/}" ;;
                 esac || fail "${file#*/} with room enough: another file"
             done

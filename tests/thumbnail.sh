@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# thumbnail.sh WEND: the file managers' service makes a picture of a project, as resources/wend.thumbnailer says. It
-# computes at the lowest priority, so that this may take long.
+# thumbnail.sh WEND: has the file managers' service make a picture of a project by resources/wend.thumbnailer. The service
+# runs at the lowest priority, so this may take long.
 set -eu
 sources=$(cd "$(dirname "$0")/.." && pwd)
 folder=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The manual becomes a website whose links lead somewhere; where Chromium is, its search is tried there, without a server.
+# Makes the manual's website and checks its links; if Chromium is installed, also its search, without a server.
 set -eu
 sources=$(cd "$(dirname "$0")/.." && pwd)
 folder=$(mktemp -d)

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# frames.sh PROJECT STATES PATTERN COUNT SHARDS WHICH [OPTION …]: writes a part of COUNT frames from the states of a run that is done
-# (`wend run PROJECT --states STATES`). PATTERN has #### in the place of the number. WHICH is
+# frames.sh PROJECT STATES PATTERN COUNT SHARDS WHICH [OPTION …]: writes a part of COUNT frames from the states of a finished run
+# (`wend run PROJECT --states STATES`). PATTERN has #### for the number. WHICH is
 #   1 … SHARDS   that part
 #   rank         the part of this process under mpirun or srun, one process for each part
-#   missing      nothing is written: names the parts whose frames are not all there, and exits with 1 if there are any
+#   missing      names the parts with missing frames, writes nothing, and exits with 1 if there are any
 # Options go to `wend run`, such as --canvas fit. The program is $WEND, or wend.
 set -eu
 if [ $# -lt 6 ]; then
@@ -13,9 +13,9 @@ fi
 project=$1 states=$2 pattern=$3 count=$4 shards=$5 which=$6
 shift 6
 
-# As wend run --shard divides them.
+# Divides the frames as `wend run --shard` does.
 first_of() { echo $((($1 - 1) * count / shards)); }
-name_of() { # the last run of # is the number
+name_of() { # the last sequence of # stands for the number
     local digits before after width
     after=${pattern##*\#}
     before=${pattern%"$after"}

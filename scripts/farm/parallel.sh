@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# parallel.sh PROJECT PATTERN COUNT SHARDS [OPTION …]: computes the states of a project, going on where an earlier run was, and paints
-# its frames with GNU parallel: on this machine, or on those that PARALLEL names (PARALLEL='--sshloginfile machines --wd .', with the
-# files on a disk that all of them see). Without GNU parallel the shards are painted by plain processes, one for each processor.
-# In the end the shards that are lost are named, and the exit code is 1 if there are any.
+# parallel.sh PROJECT PATTERN COUNT SHARDS [OPTION …]: computes the states of a project, resuming an earlier run, and renders its
+# frames with GNU parallel: on this machine, or on those that PARALLEL names (PARALLEL='--sshloginfile machines --wd .', with the
+# files on a shared disk). Without GNU parallel, plain processes render the shards, one for each processor.
+# Finally names the shards that failed and exits with 1 if there are any.
 set -eu
 if [ $# -lt 4 ]; then
     sed -n 's/^# \{0,1\}//p' "$0" | sed '1d' >&2

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# slurm.sh PROJECT PATTERN COUNT SHARDS [OPTION …]: submits three jobs to Slurm, each after the one before it: one computes the
-# states (PROJECT.states) and goes on where it was when it is requeued, an array of SHARDS jobs paints the frames, and the last
-# one names the shards that are lost. Those are painted again by `scripts/farm/frames.sh … SHARD`, or by all of this once more,
-# which finds the states there. Settings of the cluster go into SBATCH_* variables, such as SBATCH_PARTITION.
+# slurm.sh PROJECT PATTERN COUNT SHARDS [OPTION …]: submits three dependent jobs to Slurm. The first computes
+# the states (PROJECT.states) and resumes when it is requeued, an array of SHARDS jobs renders the frames, and the last one
+# names the shards that failed. Repeat those with `scripts/farm/frames.sh … SHARD`, or run this script again, which reuses the
+# states. SBATCH_* variables, such as SBATCH_PARTITION, hold the settings of the cluster.
 set -eu
 if [ $# -lt 4 ]; then
     sed -n 's/^# \{0,1\}//p' "$0" | sed '1d' >&2

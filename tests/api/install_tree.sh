@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# install_tree.sh CMAKE BUILD SOURCES [SANITIZERS]: what is installed, and moved then, is enough to build and run the example projects and
-# the examples of docs/library.md in C++; libwend shows what its headers mark, and needs none of the libraries of the window or of pictures.
+# install_tree.sh CMAKE BUILD SOURCES [SANITIZERS]: installs the library, moves the folder, and builds and runs the example projects and
+# the C++ examples of docs/library.md against it. Checks that libwend exports only the symbols that its headers mark, and that it
+# links none of the libraries of the window or of pictures.
 set -euo pipefail
 cmake=$1 build=$2 sources=$3 flags="-Wall -Wextra -Werror ${4:-}"
 work=$(mktemp -d)
@@ -15,7 +16,7 @@ shown=$(nm -DC --defined-only "$library" | cut -d' ' -f3- | grep -vE '^(WEND_0(@
 [ -z "$shown" ] || { echo "libwend shows more than its headers say:"; echo "$shown"; exit 1; }
 if readelf -d "$library" | grep NEEDED | grep -E 'Qt|OpenImageIO|OpenCL'; then echo "libwend.so.0 needs these"; exit 1; fi
 
-for header in "$prefix"/include/wend/*.h; do # each of them alone
+for header in "$prefix"/include/wend/*.h; do # each header alone
     # shellcheck disable=SC2086
     echo "#include <wend/${header##*/}>" | c++ -std=c++20 $flags -I"$prefix/include" -fsyntax-only -x c++ -
 done

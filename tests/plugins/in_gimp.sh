@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# in_gimp.sh WEND PLUGIN SAMPLES [PICTURE]: GIMP bends a layer with the sample strip.wend; the layer is what `wend run`
-# writes, a layer with an offset bends in its place, and an image of another size is refused.
+# in_gimp.sh WEND PLUGIN SAMPLES [PICTURE]: bends a layer in GIMP with the sample strip.wend. The layer must equal the output of
+# `wend run`, a layer with an offset must bend in its place, and an image of another size must be refused.
 set -eu
 wend=$(realpath "$1") samples=$(realpath "$3")
 folder=$(mktemp -d)
@@ -23,7 +23,7 @@ gimp -i -d -f -b "(load \"$folder/script.scm\")" -b '(gimp-quit 1)' >"$folder/lo
 grep -q 'The project bends a picture of 2000 × 1500 pixels; this image has 200 × 150' "$folder/log" || { cat "$folder/log"; exit 1; }
 "$wend" run "$samples/strip.wend" --quiet --image "$folder/own-end.png"
 "$wend" run "$samples/strip.wend" --quiet --at 0.5 --image "$folder/own-half.png"
-same() { # one and the other, where either is not transparent
+same() { # A B: compares two pictures where either is not transparent
     /usr/bin/python3 - "$1" "$2" <<'END'
 import sys
 from PIL import Image, ImageChops

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# in_krita.sh WEND PLUGIN SAMPLES [PICTURE]: Krita bends a layer with the sample strip.wend; the new layer is what `wend run`
-# writes, a group bends as its picture does, the docker has its buttons, and a document of another size is refused.
+# in_krita.sh WEND PLUGIN SAMPLES [PICTURE]: bends a layer in Krita with the sample strip.wend. The new layer must equal the output
+# of `wend run`, a group must bend as its picture does, the docker must have its buttons, and a document of another size must be
+# refused.
 set -eu
 wend=$(realpath "$1") samples=$(realpath "$3")
 folder=$(mktemp -d)
@@ -68,7 +69,7 @@ PYTHONPATH=$XDG_DATA_HOME/krita/pykrita kritarunner -s try_wend >"$folder/log" 2
 grep -q 'all is well' "$folder/result" || { cat "$folder/result" "$folder/log"; exit 1; }
 "$wend" run "$samples/strip.wend" --quiet --image "$folder/own-end.png"
 "$wend" run "$samples/strip.wend" --quiet --at 0.5 --image "$folder/own-half.png"
-same() { # one and the other, where either is not transparent
+same() { # A B: compares two pictures where either is not transparent
     /usr/bin/python3 - "$1" "$2" <<'END'
 import sys
 from PIL import Image, ImageChops

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# pictures.sh WEND BUILD: makes the pictures of docs/plugins.md within the programs, from the tests' own drawings.
+# pictures.sh WEND BUILD: makes the pictures of docs/plugins.md inside the programs from the tests' drawings.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 sources=$(realpath "$here/../..") out=$(realpath "$here/../../docs/pictures")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a build tells where there is no terminal: few lines, in order, and everything that the compiler said, whole.
+# Checks the progress of a build without a terminal: few lines, in order, and the complete output of the compiler.
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../../scripts/progress.sh"
 passed=0 failed=0

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a run of the tests comes to, for runs that are written here: nothing that is wrong may count as good.
+# Checks how the results of test runs are counted, for runs that are written here: no fault may count as passed.
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../../scripts/totals.sh"
 folder=$(mktemp -d)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# slurm_node.sh FOLDER COMMAND …: runs the command beside a Slurm of one node and one controller, both on this machine with all
-# their files in FOLDER, waits until no job is left, and ends them. Exits with the command's code; with 77 if Slurm cannot be
-# started here: it takes root and the packages slurm-wlm and munge.
+# slurm_node.sh FOLDER COMMAND …: starts Slurm with one node and one controller on this machine, with all their files in FOLDER,
+# runs the command, waits for all jobs, and stops Slurm. Exits with the command's code, or with 77 if Slurm cannot be started,
+# which needs root and the packages slurm-wlm and munge.
 set -u
 folder=$(readlink -f "$1")
 shift
