@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""An operator of Blender: the active mesh bends with the selected empties, which hold and move what lies in their
-spheres, and the motion becomes shape keys. The program wend computes it in a cage around the mesh, so that the mesh
-may be open, cross itself or have several parts."""
+"""Adds an operator to Blender that bends the active mesh with the selected empties and keeps the motion as shape keys.
+
+Each empty holds or moves the part of the mesh inside its sphere. The program wend computes the motion in a cage around
+the mesh, so that the mesh may be open, intersect itself or have several parts."""
 
 import json
 import os
@@ -28,7 +29,7 @@ class WendError(Exception):
 
 
 def poses(scene, empties):
-    """For each empty a row per frame: time from 0 to 1, place, and rotation vector."""
+    """Returns for each empty one row per frame: time from 0 to 1, position, and rotation vector."""
     rows = {one: [] for one in empties}
     current, first, last = scene.frame_current, scene.frame_start, scene.frame_end
     for frame in range(first, last + 1):
@@ -66,7 +67,7 @@ def read_vertices(path):
 
 
 def run(folder, project, count):
-    """The vertices at equal times, computed in that folder."""
+    """Runs a project in the folder and returns the vertices at `count` equally spaced times."""
     with open(os.path.join(folder, "object.wend"), "w") as file:
         json.dump(project, file)
     line = [os.environ.get("WEND", "wend"), "run", "object.wend", "--quiet", "--count", str(count), "--frames", "at_####.obj"]
@@ -81,7 +82,7 @@ def run(folder, project, count):
 
 
 def bend(scene, target, empties, phi, vertices, count):
-    """The vertices of the object, in the world, at `count` times from the first frame to the last."""
+    """Returns the object's vertices in world coordinates at `count` times from the first frame to the last."""
     rows = poses(scene, empties)
     if not any(map(moves, rows.values())):
         raise WendError("No selected empty moves between the first and the last frame")
@@ -99,7 +100,7 @@ def bend(scene, target, empties, phi, vertices, count):
 
 
 def keep_as_shape_keys(scene, target, steps):
-    """Absolute shape keys, which are passed through from the first frame to the last."""
+    """Adds the steps as absolute shape keys and animates them linearly from the first frame to the last."""
     back = target.matrix_world.inverted()
     for number, points in enumerate(steps):
         if len(points) != len(target.data.vertices):
@@ -116,7 +117,7 @@ def keep_as_shape_keys(scene, target, steps):
 
 
 class OBJECT_OT_wend_bend(bpy.types.Operator):
-    """Bend the active mesh by the selected empties, which move what lies in their spheres"""
+    """Bend the active mesh with the selected empties. Each empty holds or moves the part of the mesh inside its sphere"""
 
     bl_idname = "object.wend_bend"
     bl_label = "Bend with Wend"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Bends the selected paths as a project of Wend bends its picture: `wend run --points` maps samples of them, to
-which curves are fitted again. Strokes keep their width."""
+"""Bends the selected paths in the same manner as a project of Wend bends its picture.
+
+`wend run --points` maps samples of the paths, and new curves are fitted to the mapped samples. Strokes keep their width."""
 
 import json
 import os
@@ -16,7 +17,8 @@ _ = inkex.localization.inkex_gettext
 
 
 def wend(*arguments):
-    """Runs the program, or what the environment variable WEND names; its message ends the extension."""
+    """Runs wend, or the program that the environment variable WEND names, and returns its output. If the program fails,
+    its message ends the extension."""
     try:
         done = subprocess.run([os.environ.get("WEND", "wend"), *arguments], capture_output=True, text=True)
     except OSError:
@@ -27,7 +29,8 @@ def wend(*arguments):
 
 
 def mapped(project, points, at):
-    """The places of complex numbers in the deformed shape, in the project's coordinates."""
+    """Returns the positions of points in the deformed shape, as complex numbers in the project's coordinates. A negative
+    time means the end."""
     with tempfile.TemporaryDirectory() as folder:
         before, after = os.path.join(folder, "before.csv"), os.path.join(folder, "after.csv")
         with open(before, "w") as file:
@@ -39,7 +42,7 @@ def mapped(project, points, at):
 
 
 def picture_size(project):
-    """The width and height of the picture that the project bends."""
+    """Returns the width and height of the picture that the project bends."""
     domain = json.loads(wend("info", "--json", project))["domain"]
     name = domain.get("texture") or (domain["kind"] == "image" and domain["file"])
     if not name:
@@ -53,7 +56,7 @@ def through(transform, z):
 
 
 def chains(path):
-    """The subpaths: lists of cubics, and whether each is closed."""
+    """Returns the subpaths as pairs of a list of cubics and whether the subpath is closed."""
     result = []
     for piece in path.proxy_iterator():
         if piece.letter in "Mm":
@@ -65,7 +68,7 @@ def chains(path):
             if abs(end - begin) > 1e-9:
                 result[-1][0].append((begin, begin + (end - begin) / 3, end - (end - begin) / 3, end))
             result[-1] = (result[-1][0], True)
-            result.append(([], False))  # what follows without a move begins there
+            result.append(([], False))  # segments that follow without a move begin there
             continue
         for curve in piece.to_curves():
             a, b, c = (complex(curve.args[k], curve.args[k + 1]) for k in (0, 2, 4))
@@ -97,7 +100,7 @@ class BendWithWend(inkex.EffectExtension):
         if not shapes:
             raise inkex.AbortExtension(_("Please select what is to be bent: paths or shapes."))
         to_pixels = self.to_pixels()
-        # Samples are taken in pixels, where the shape is bent, and curves are fitted in the drawing.
+        # Samples are taken in the project's coordinates, in which the shape is bent; curves are fitted in those of the drawing.
         to_drawing = -to_pixels
         rest = []
         for shape in shapes:
@@ -118,7 +121,7 @@ class BendWithWend(inkex.EffectExtension):
                 shape.attrib.pop(inkex.addNS(key.split(":")[1], key.split(":")[0]), None)
 
     def shapes(self, elements):
-        """The paths among them and in their groups; other shapes become paths."""
+        """Returns the paths among the elements and in their groups. Converts other shapes to paths."""
         result = []
         for one in elements:
             if isinstance(one, inkex.Group):
@@ -134,7 +137,7 @@ class BendWithWend(inkex.EffectExtension):
         return result
 
     def to_pixels(self):
-        """From the drawing's coordinates to those of the project."""
+        """Returns the transform from the drawing's coordinates to those of the project."""
         if self.options.place == "units":
             return inkex.Transform()
         width, height = picture_size(self.options.project)

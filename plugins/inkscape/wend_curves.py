@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Cubic Bézier curves as tuples of four complex numbers: sampling, and fitting of curves to samples."""
+"""Samples cubic Bézier curves, which are tuples of four complex numbers, and fits curves to samples."""
 
-SMOOTH = 1e-3  # radians between two tangents of a smooth node
+SMOOTH = 1e-3  # maximum angle in radians between the tangents at a smooth node
 
 
 def point(curve, u):
@@ -11,7 +11,7 @@ def point(curve, u):
 
 
 def sampled(curve, spacing=2.0):
-    """Points at equal parameters, about `spacing` apart; both ends belong to them."""
+    """Returns points at equal parameter steps, about `spacing` apart, including both ends."""
     length = sum(abs(q - p) for p, q in zip(curve, curve[1:]))
     count = min(max(int(length / spacing) + 1, 8), 500)
     return [point(curve, k / count) for k in range(count + 1)]
@@ -22,7 +22,7 @@ def unit(vector):
 
 
 def leaving(curve):
-    """The direction in which the curve leaves its first point; 0 if it is a point."""
+    """Returns the unit direction in which the curve leaves its first point, or 0 if the curve is a point."""
     return unit(next((p - curve[0] for p in curve[1:] if p != curve[0]), 0))
 
 
@@ -37,7 +37,7 @@ def is_smooth(before, after):
 
 
 def _parameters(points):
-    """Chord lengths from the first point, relative to the whole."""
+    """Returns the chord length from the first point to each point, relative to the total length."""
     lengths = [0.0]
     for p, q in zip(points, points[1:]):
         lengths.append(lengths[-1] + abs(q - p))
@@ -45,7 +45,7 @@ def _parameters(points):
 
 
 def _least_squares(points, u, start, end):
-    """The cubic with these end points and directions that is nearest to the points at the parameters u: the
+    """Returns the cubic with the given end points and directions that is nearest to the points at the parameters u. The
     lengths a and b of its arms solve the normal equations of  Σ |B(uᵢ) − pᵢ|²."""
     first, last = points[0], points[-1]
     aa = ab = bb = ra = rb = 0.0
@@ -69,7 +69,7 @@ def _least_squares(points, u, start, end):
 
 
 def _nearer(curve, p, u):
-    """A step of Newton's method to the parameter of the curve's nearest point."""
+    """Returns the parameter after one step of Newton's method from u towards the curve's point nearest to p."""
     a, b, c, d = curve
     v = 1 - u
     d1 = 3 * (v * v * (b - a) + 2 * v * u * (c - b) + u * u * (d - c))
@@ -80,8 +80,8 @@ def _nearer(curve, p, u):
 
 
 def fitted(points, start, end, tolerance):
-    """Cubics through the first and last point, with these directions there, that are within the tolerance of all
-    points; where one does not do, two that meet smoothly at the worst point do."""
+    """Returns cubics from the first to the last point, with the given directions at the ends, that are within the
+    tolerance of all points. If one cubic is not enough, splits at the worst point, where the two parts join smoothly."""
     points = [p for k, p in enumerate(points) if k == 0 or p != points[k - 1]]
     if len(points) < 2:
         return [(points[0],) * 4]
@@ -99,9 +99,9 @@ def fitted(points, start, end, tolerance):
 
 
 def bent(curves, images, closed, tolerance):
-    """The chain of cubics whose samples went to `images`, fitted anew: smooth nodes stay smooth, corners corners."""
+    """Returns curves fitted to `images`, the mapped samples of a chain of cubics. Smooth nodes stay smooth, and corners stay corners."""
 
-    def join(k):  # the direction at the node before curve k, if it is smooth there
+    def join(k):  # returns the direction at the node before curve k, or 0 at a corner
         if (k == 0 and not closed) or not is_smooth(curves[k - 1], curves[k]):
             return 0
         return unit(images[k][1] - images[k - 1][-2])

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# The step that is asked for. `self`, FileName and TimeSteps come from ParaView.
+# Outputs the requested time step. ParaView defines `self`, FileName and TimeSteps.
 import glob, os, subprocess, sys, tempfile, types
 import numpy as np
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 def computed(name, count):
-    """The folder with the steps, which is kept until the project changes or ParaView ends."""
+    """Returns the folder of the computed steps, which are reused until the project changes or ParaView ends."""
     runs = sys.modules.setdefault("wend_project_runs", types.ModuleType("wend_project_runs")).__dict__
     key = "%s %d %d" % (name, os.stat(name).st_mtime_ns, count)
     if key not in runs:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# Tells ParaView the times of the steps. `self`, FileName and TimeSteps come from it.
+# Reports the times of the steps to ParaView, which defines `self`, FileName and TimeSteps.
 import json, os, subprocess
 
 def wend(*arguments):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Bends a layer of Krita as a project of Wend bends its picture, by the program `wend`."""
+"""Bends a layer of Krita in the same manner as a project of Wend bends its picture, by running the program `wend`."""
 import json
 import os
 import subprocess
@@ -10,16 +10,16 @@ from PyQt5.QtCore import QRect
 
 
 class Failure(Exception):
-    """A message for the user."""
+    """An error whose message is shown to the user."""
 
 
 def program():
-    """The program, or what the environment variable WEND names."""
+    """Returns the program that the environment variable WEND names, or `wend`."""
     return os.environ.get("WEND", "wend")
 
 
 def wend(*arguments, folder=None, text=""):
-    """Runs the program in a folder with a text as its input, and returns its output."""
+    """Runs the program in a folder with `text` as its input and returns its output."""
     try:
         done = subprocess.run([program(), *arguments], cwd=folder, input=text, capture_output=True, text=True)
     except OSError:
@@ -30,13 +30,13 @@ def wend(*arguments, folder=None, text=""):
 
 
 def save_layer(document, layer, file):
-    """Writes a layer or group as a PNG of the document's size, with its colour profile and its own depth."""
+    """Writes a layer or group as a PNG of the document's size, with the layer's colour profile and depth."""
     options = InfoObject()
     for name, value in {"alpha": True, "compression": 1, "forceSRGB": False, "indexed": False, "interlaced": False,
                         "saveSRGBProfile": True, "transparencyFillcolor": [255, 255, 255]}.items():
         options.setProperty(name, value)
     frame = QRect(0, 0, document.width(), document.height())
-    # Krita asks about the format otherwise.
+    # Outside batch mode, Krita asks for the options of the format.
     Krita.instance().setBatchmode(True)
     try:
         layer.save(file, document.xRes(), document.yRes(), options, frame)
@@ -47,7 +47,7 @@ def save_layer(document, layer, file):
 
 
 def with_picture(project, document, picture):
-    """The text of a project with another picture of the same size in the place of its own."""
+    """Returns the text of a project with its picture replaced by another one of the same size."""
     try:
         with open(project, encoding="utf-8") as file:
             content = json.load(file)
@@ -63,7 +63,7 @@ def with_picture(project, document, picture):
 
 
 def add_layer(document, layer, file, name):
-    """Puts the first layer of a picture above another one, in the colours of the document."""
+    """Adds a picture file as a layer above another one, converted to the document's colours, and returns the new layer."""
     loaded = Krita.instance().openDocument(file)
     if loaded is None:
         raise Failure("The bent picture could not be read")
@@ -83,7 +83,7 @@ def add_layer(document, layer, file, name):
 
 
 def bend(document, layer, project, time=-1.0):
-    """Returns the bent layer, which lies above the layer or group. Before time 0 stands for the end."""
+    """Bends a layer or group and returns the new layer above it. A negative time means the end of the motion."""
     project = os.path.abspath(project)
     with tempfile.TemporaryDirectory() as folder:
         before, after = os.path.join(folder, "before.png"), os.path.join(folder, "after.png")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The docker: a project, a time, and what is done with the active layer."""
+"""Provides the docker, which chooses a project and a time and bends the active layer."""
 import os
 import subprocess
 
