@@ -1,7 +1,8 @@
-"""Five surfaces that other programs refuse to bend, drawn at rest and bent by 90°. Usage: bent.py WEND OUT
-What is wrong with them: a knot (nothing: it only passes near itself), a vase with one wall, open above and with triangles
-missing, as from a scanner; a chain of rings that do not touch; a bolt of bodies that cross each other; a fern of loose leaves
-without thickness. WEND makes OUT/NAME-rest.png and OUT/NAME-bent.png of each."""
+"""Draws five surfaces that other programs refuse to bend, at rest and bent by 90°. Usage: bent.py WEND OUT
+
+The surfaces are a knot, which is sound but passes near itself; a vase with a single wall, an open top and missing
+triangles, as from a scanner; a chain of rings that do not touch; a bolt of bodies that cross each other; and a fern of
+loose leaves without thickness. Writes OUT/NAME-rest.png and OUT/NAME-bent.png for each."""
 import json
 import math
 import pathlib
@@ -14,17 +15,17 @@ sys.path.insert(0, str(HERE / "../../resources/samples/art/solids"))
 import portrait  # noqa: E402
 from eagle import spline  # noqa: E402
 
-ENDS = 0.12  # of the length: what is held and what is turned
+ENDS = 0.12  # fraction of the length that is held or rotated at each end
 
 
 class Model:
-    """Triangles with vertices of their own for each part."""
+    """A triangle mesh whose parts share no vertices."""
 
     def __init__(self):
         self.points, self.triangles = [], []
 
     def grid(self, place, rows, columns, closed_rows=False, closed_columns=False, keeps=lambda i, j: True):
-        """Squares over place(u, v), u and v from 0 to 1; those that it does not keep are holes."""
+        """Adds rows × columns squares over place(u, v), with u and v from 0 to 1. Squares for which keeps(i, j) is false become holes."""
         first = len(self.points)
         across = columns if closed_columns else columns + 1
         down = rows if closed_rows else rows + 1
@@ -37,7 +38,7 @@ class Model:
                     self.triangles += [(a + k, b + k, b + n), (a + k, b + n, a + n)]
 
     def caps(self, rows, columns, ends=(True, True)):
-        """Fans around the middles of the first and last row of the tube that was made last."""
+        """Closes the tube that was added last by fans around the centres of its first and last row, as far as `ends` selects them."""
         first = len(self.points) - (rows + 1) * columns
         for end, row in zip(ends, (first, first + rows * columns)):
             if not end:
@@ -49,7 +50,7 @@ class Model:
                 self.triangles.append((len(self.points) - 1, *(pair if row == first else pair[::-1])))
 
     def tube(self, way, radius, along, around, closed=False):
-        """Around a way in space."""
+        """Adds a tube of radius radius(u) around the curve way(u), with u from 0 to 1. A tube that is not closed gets caps."""
         def place(u, v):
             p, ahead = way(u), tuple(b - a for a, b in zip(way(u - 1e-4), way(u + 1e-4)))
             side = unit(cross(ahead, (0.3, -0.2, 1)))
@@ -63,7 +64,7 @@ class Model:
             self.caps(along, around)
 
     def prism(self, sides, radius, low, high, rows=2):
-        """Along x."""
+        """Adds a capped prism along the x axis."""
         def place(u, v):
             return low + u * (high - low), radius * math.cos(2 * math.pi * v), radius * math.sin(2 * math.pi * v)
 
@@ -86,7 +87,7 @@ def unit(a):
 
 
 def knot():
-    """A cord with an overhand knot, along x."""
+    """Returns a cord along x with an overhand knot."""
     def way(u):
         t = 4.2 * (2 * u - 1)
         near = math.exp(-((t / 2.1) ** 4))
@@ -99,7 +100,7 @@ def knot():
 
 
 def vase():
-    """One wall, along x; a scanner has missed some places."""
+    """Returns a vase along x with a single wall, an open top, and holes where a scanner missed something."""
     profile = [(0, (0, 0.8)), (0.12, (0.5, 1.1)), (0.36, (2, 1.5)), (0.6, (3.6, 1.1)), (0.8, (4.8, 0.6)), (0.9, (5.6, 0.58)), (1, (6.4, 0.95))]
 
     def place(u, v):
@@ -134,7 +135,7 @@ def chain():
 
 
 def bolt():
-    """Head, shank, washer and thread are bodies of their own that cross each other."""
+    """Returns a bolt whose head, shank, washer and thread are separate bodies that cross each other."""
     model = Model()
     model.prism(6, 1.25, 0, 0.9, rows=1)
     model.prism(48, 1.6, 0.85, 1.1)
@@ -164,7 +165,7 @@ def fern():
     return model
 
 
-# Colour, view (degrees about z and from above), and whether to ask for a cage: one that holds loose parts together.
+# Function, colour, view (degrees about z and from above), and options of a cage, which holds loose parts together.
 MODELS = {
     "knot": (knot, (0.78, 0.55, 0.33), (-15, 55), None),
     "vase": (vase, (0.36, 0.55, 0.62), (-15, 50), None),
@@ -175,7 +176,8 @@ MODELS = {
 
 
 def project(path, points, cage):
-    """The left end is held; the right one turns by 90° about z, to where the middle line is a quarter of a circle."""
+    """Returns a project that holds the left end and rotates the right one by 90° about z, so that the middle line becomes
+    a quarter of a circle."""
     low, high = min(p[0] for p in points), max(p[0] for p in points)
     length, middle = high - low, sum(p[1] for p in points) / len(points)
     radius = 2 * length / math.pi
@@ -198,7 +200,7 @@ def project(path, points, cage):
 
 
 def draw(source, target, colour, view):
-    """Both sides are seen, each lit from its own."""
+    """Draws both sides of the triangles, each lit by its own normals."""
     points, texture, triangles, corners, paints = portrait.read_obj(source, tuple(255 * c for c in colour))
     count = len(points)
     both = triangles + [(count + a, count + c, count + b) for a, b, c in triangles]

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Draws a character in layers, with nothing but Python: character.py OUT.ora
+"""Draws a character in layers, using only Python's standard library: character.py OUT.ora
 
-Every layer is a union of discs, ellipses and limbs (two discs with what is between them) with a line of ink around
-it, antialiased by its distance to the border. A limb reaches into what it is joined to.
+Every layer is a union of discs, ellipses and limbs (two discs and the cone between them) with an ink outline, antialiased
+by the distance to the border. Each limb overlaps the part that it is joined to.
 """
 import math
 import struct
@@ -15,7 +15,8 @@ INK = (46, 36, 58)
 
 
 def limb(ax, ay, ra, bx, by, rb):
-    """Distance to the discs about (ax, ay) and (bx, by), and the cone between them."""
+    """Returns a function for the approximate distance to the discs about (ax, ay) and (bx, by) and the cone between them,
+    negative inside."""
     dx, dy = bx - ax, by - ay
     length = dx * dx + dy * dy
 
@@ -33,7 +34,7 @@ def ellipse(cx, cy, a, b):
     return distance
 
 
-# From front to back: name, opacity, and pieces of a colour each. Pieces are drawn in their order.
+# From front to back: name, opacity, and pieces, each of one colour. Later pieces are painted over earlier ones.
 LAYERS = [
     ("arm", 1, [((236, 150, 110), [limb(188, 262, 25, 150, 350, 21), limb(150, 350, 21, 164, 436, 17)]),
                 ((250, 205, 170), [ellipse(166, 448, 22, 24)])]),
@@ -55,7 +56,7 @@ def covered(distance):
 
 
 def colour(pieces, x, y, ink):
-    """Of a pixel, not associated with its alpha: pieces over one another, each with a line of ink."""
+    """Returns the RGBA of a pixel with straight alpha: the pieces are painted over each other, each with an outline of width `ink`."""
     sums, alpha = [0, 0, 0], 0
     for fill, shapes in pieces:
         distance = min(shape(x, y) for shape in shapes)
@@ -66,7 +67,7 @@ def colour(pieces, x, y, ink):
 
 
 def drawn(pieces, ink):
-    """The rows of a layer within its bounds, and where these begin."""
+    """Returns the left and top of a layer's bounds and its rows of pixels within them."""
     near = [(x, y) for y in range(0, HEIGHT, 4) for x in range(0, WIDTH, 4)
             if min(shape(x, y) for _, shapes in pieces for shape in shapes) < 6]
     left, right = max(0, min(x for x, _ in near) - 4), min(WIDTH, max(x for x, _ in near) + 8)
@@ -85,7 +86,7 @@ def png(rows):
 
 
 def merged(layers):
-    """All layers over one another, the first one on top."""
+    """Returns the rows of all layers composited, with the first layer on top."""
     sums = [[[0.0, 0.0, 0.0, 0.0] for _ in range(WIDTH)] for _ in range(HEIGHT)]
     for opacity, left, top, rows in reversed(layers):
         for y, row in enumerate(rows):

@@ -1,7 +1,8 @@
-"""A fish that swims: one round of its cycle, drawn frame by frame. Usage: swim.py WEND OUT
-A wave runs along the spine of a solid that springs back fully: it grows in the first second, and the second one is the
-cycle. Makes OUT/fish.obj, OUT/fish.wend and OUT/swim_00.png to OUT/swim_11.png, and prints how far the end of the cycle
-is from its start."""
+"""Draws one cycle of a swimming fish frame by frame. Usage: swim.py WEND OUT
+
+A wave travels along the spine of a fully elastic solid. It grows during the first second; the second one is the cycle.
+Writes OUT/fish.obj, OUT/fish.wend and OUT/swim_00.png to OUT/swim_11.png, and prints the distance between the start and
+the end of the cycle."""
 import json
 import math
 import pathlib
@@ -11,7 +12,7 @@ import sys
 import bent
 
 FRAMES = 12
-PIECES = 12  # cubics of a round
+PIECES = 12  # cubics per cycle
 SPINE = [-1.5, -0.9, -0.3, 0.4, 1.1, 1.75]
 VIEW = math.radians(-30), math.radians(32)
 SIZE = 480, 360
@@ -19,7 +20,7 @@ BACK, BELLY, FIN, DARK = (58, 122, 172), (236, 231, 214), (70, 118, 158), (22, 2
 
 
 def fish():
-    """Head at the left; the tail is flat and high."""
+    """Returns the fish, with its head at the left and a flat, high tail."""
     model = bent.Model()
 
     def place(u, v):
@@ -33,19 +34,20 @@ def fish():
 
     model.grid(place, 44, 20, closed_columns=True)
     model.caps(44, 20)
-    model.triangles = [(a, c, b) for a, b, c in model.triangles]  # seen from outside
+    model.triangles = [(a, c, b) for a, b, c in model.triangles]  # orients them outwards
     return model
 
 
 def sway(x, t):
-    """Where the spine is at a time: a wave towards the tail that becomes larger there, and grows in the first round."""
+    """Returns the sideways displacement of the spine at x and time t: a wave towards the tail whose amplitude grows along
+    the body and during the first cycle."""
     size = 0.08 + 0.42 * ((x + 2) / 4.2) ** 2
     grows = min(1, t) ** 2 * (3 - 2 * min(1, t))
     return grows * size * math.sin(2 * math.pi * t - 1.5 * x)
 
 
 def way(x):
-    """A chain of cubics through these places, with their velocities."""
+    """Returns the control points of a chain of cubics through the displacements at x, with matching velocities."""
     points = []
     for i in range(2 * PIECES + 1):
         t, third = i / PIECES, 1 / (3 * PIECES)
@@ -74,7 +76,8 @@ def mixed(a, b, share):
 
 
 def paint():
-    """Rows from above to below, over the length and height of the fish at rest: a dark back, a pale belly, an eye."""
+    """Returns the texture in rows from top to bottom, over the length and height of the fish at rest: a dark back, a pale
+    belly and an eye."""
     width, height = 640, 256
     rows = []
     for j in range(height):
@@ -97,7 +100,7 @@ def read_points(path):
 
 
 def draw(model, frames, out):
-    """All frames at one scale and place."""
+    """Draws all frames at the same scale and position."""
     bent.portrait.SIZE = SIZE
     texture = [((p[0] + 2) / 4.6, (p[2] + 0.8) / 1.6) for p in model.points]
     picture = paint()
@@ -113,7 +116,7 @@ def main(wend, out):
     model = fish()
     model.write(out / "fish.obj")
     (out / "fish.wend").write_text(json.dumps(project()), encoding="utf-8")
-    # The cycle with its end, which is its start again.
+    # The frames include the end of the cycle, which should equal its start.
     subprocess.run([wend, "run", out / "fish.wend", "--frames", out / "fish_##.obj", "--count", str(2 * FRAMES + 1), "--quiet"], check=True)
     frames = [read_points(out / f"fish_{number:02}.obj") for number in range(FRAMES, 2 * FRAMES + 1)]
     print("end of the cycle: %.1e from its start" % max(math.dist(p, q) for p, q in zip(frames[0], frames[-1])))

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Writes a wing between two walls as hexahedra with a boundary layer, and the motion of its skin.
 
-Usage: wing.py FOLDER. The wing is an ellipse of chord 1 and thickness 0.12 that reaches from the wall z = 0 to the wall z = 2. The first
-cells at its skin are 0.002 high, and each layer is 1.25 times as high as the one before. FOLDER gets wing.inp (Abaqus, with the node sets
-SKIN, FAR, ROOT and TIP), skin.csv (the skin's displacements: it pitches by 20 degrees at the root and less towards the tip, where it
-rises by 0.3) and wing.wend.
+Usage: wing.py FOLDER
+
+The wing is an ellipse of chord 1 and thickness 0.12 that spans from the wall z = 0 to the wall z = 2. The first cells
+at its skin are 0.002 high, and each layer is 1.25 times as high as the one before. FOLDER gets wing.inp (Abaqus, with
+the node sets SKIN, FAR, ROOT and TIP), skin.csv (the displacements of the skin, which pitches by 20 degrees at the root
+and less towards the tip, where it rises by 0.3) and wing.wend.
 """
 import json
 import math
@@ -16,12 +18,12 @@ CHORD, THICKNESS, LENGTH = 1.0, 0.12, 2.0
 FIRST, GROWTH = 0.002, 1.25
 
 def node(i, j, k):
-    """The number, from 1, of a node: around, outwards, along the span."""
+    """Returns the number, from 1, of the node with the indices i around the wing, j outwards and k along the span."""
     return 1 + (k * (LAYERS + 1) + j) * AROUND + i % AROUND
 
 
 def place(i, j, k):
-    """Rays leave the ellipse along confocal hyperbolas, so that they cross the skin at right angles."""
+    """Returns the position of a node. Rays leave the ellipse along confocal hyperbolas, so that they cross the skin at right angles."""
     height = FIRST * (GROWTH**j - 1) / (GROWTH - 1)
     a, b = CHORD / 2, THICKNESS / 2
     focus = math.sqrt(a * a - b * b)
@@ -31,7 +33,7 @@ def place(i, j, k):
 
 
 def displacement(x, y, z):
-    """Pitches about the quarter chord, and rises towards the tip."""
+    """Returns the displacement of a point of the skin: a pitch about the quarter chord and a rise towards the tip."""
     share = z / LENGTH
     pitch = math.radians(20) * (1 - 0.5 * share)
     cx = -CHORD / 4
@@ -41,7 +43,7 @@ def displacement(x, y, z):
 
 
 def write(folder):
-    """Writes the three files."""
+    """Writes wing.inp, skin.csv and wing.wend."""
     every = [(i, j, k) for k in range(SPAN + 1) for j in range(LAYERS + 1) for i in range(AROUND)]
     sets = {"SKIN": lambda i, j, k: j == 0, "FAR": lambda i, j, k: j == LAYERS,
             "ROOT": lambda i, j, k: k == 0, "TIP": lambda i, j, k: k == SPAN}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the root of the wing of wing.py, at rest and moved, as SVG. Usage: wing_section.py REST.inp MOVED.inp OUT.svg"""
+"""Draws the root section of the wing of wing.py, at rest and deformed, as SVG. Usage: wing_section.py REST.inp MOVED.inp OUT.svg"""
 import sys
 
 from wing import AROUND, LAYERS, node
@@ -9,7 +9,7 @@ SCALE = 620
 
 
 def nodes(path):
-    """The places of a file's nodes by number."""
+    """Returns the x and y coordinates of a file's nodes by number."""
     places, reads = {}, False
     for line in open(path):
         if line.startswith("*"):
@@ -21,7 +21,7 @@ def nodes(path):
 
 
 def drawn(places, left):
-    """The rings and rays of the root."""
+    """Returns the SVG of the rings and rays at the root, shifted to the right by `left`."""
     paths = [[node(i, j, 0) for i in range(AROUND + 1)] for j in range(LAYERS + 1)]
     paths += [[node(i, j, 0) for j in range(LAYERS + 1)] for i in range(AROUND)]
     lines = []

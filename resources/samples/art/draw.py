@@ -1,6 +1,7 @@
-"""Small helpers with which the sample pictures are drawn: smooth outlines, tapered limbs, cell patterns, SVG text.
+"""Provides helpers that draw the sample pictures: smooth outlines, tapered limbs, cell patterns, SVG text.
 
-Coordinates are pixels of the finished picture, y down. Everything is deterministic (seeded)."""
+Coordinates are pixels of the finished picture, with y down. Random numbers are seeded, so that all results are
+reproducible."""
 import math
 import random
 
@@ -24,7 +25,7 @@ def _tangents(points, closed, tension):
 
 
 def cubics(points, closed=True, tension=1 / 6):
-    """Catmull-Rom pieces as cubic Beziers. A point (x, y, 'c') is a corner: the curve has no tangent there."""
+    """Returns the Catmull-Rom spline through the points as cubic Beziers. A point (x, y, 'c') is a corner, where the tangent is zero."""
     flat = [(p[0], p[1]) for p in points]
     tangent = _tangents(flat, closed, tension)
     for i, p in enumerate(points):
@@ -54,14 +55,15 @@ def path_of(pieces, closed=True):
 
 
 def smooth(points, closed=True):
-    """Path data of the smooth curve through the points. Closed ones all turn the same way, so that they unite in a clip path."""
+    """Returns the path data of the smooth curve through the points. Closed curves all get the same orientation, so that
+    they unite in a clip path."""
     if closed and area(points) < 0:
         points = points[::-1]
     return path_of(cubics(points, closed), closed)
 
 
 def sample(points, closed=True, steps=12):
-    """The same curve as a polyline."""
+    """Returns the smooth curve through the points as a polyline, with `steps` points per piece."""
     out = []
     for a, b, c, d in cubics(points, closed):
         for k in range(steps):
@@ -74,7 +76,7 @@ def sample(points, closed=True, steps=12):
 
 
 def limb(spine, cap_start=True, cap_end=True):
-    """Outline points of a limb: spine points (x, y, half width). The ends are round unless told otherwise."""
+    """Returns the outline points of a limb whose spine points are (x, y, half width). The ends are rounded by default."""
     centre = [(p[0], p[1]) for p in spine]
     left, right = [], []
     n = len(spine)
@@ -124,7 +126,7 @@ def distance_to(p, polygon):
 
 
 def scatter(box, radius, keep, seed, tries=6000):
-    """Poisson-disk points with a spacing that depends on the place: radius(p), in those places where keep(p)."""
+    """Returns Poisson-disk points in the box where keep(p) is true, with the local spacing radius(p)."""
     rng = random.Random(seed)
     out = []
     for _ in range(tries):
@@ -138,7 +140,7 @@ def scatter(box, radius, keep, seed, tries=6000):
 
 
 def _clip(polygon, point, normal):
-    """The part of a convex polygon with (x - point)·normal <= 0."""
+    """Returns the part of a convex polygon with (x - point)·normal <= 0."""
     out = []
     for i in range(len(polygon)):
         a, b = polygon[i - 1], polygon[i]
@@ -153,7 +155,7 @@ def _clip(polygon, point, normal):
 
 
 def cells(seeds, gap, reach):
-    """Voronoi cells of the seeds, each shrunk so that a joint of width gap(seed) stays between neighbours."""
+    """Returns the Voronoi cells of the seeds, within reach(seed), shrunk so that a joint of width gap(seed) remains between neighbours."""
     out = []
     for s in seeds:
         r = reach(s)
@@ -175,7 +177,7 @@ def area(polygon):
 
 
 def rounded(polygon, radius):
-    """Path data of a polygon with rounded corners."""
+    """Returns the path data of a polygon with rounded corners."""
     short = [p for i, p in enumerate(polygon) if math.dist(p, polygon[i - 1]) > 4]
     if len(short) < 3:
         return ""
@@ -196,7 +198,7 @@ def mirrored(points, axis):
 
 
 class Picture:
-    """Collects SVG; defs and body are separate lists of lines."""
+    """An SVG picture, which collects the lines of its defs and of its body separately."""
 
     def __init__(self, width, height, title):
         self.size, self.title = (width, height), title
@@ -235,7 +237,7 @@ class Picture:
         self.body.append("</g>")
 
     def outline(self, paths, colour, width):
-        """One common outline around shapes that will be filled afterwards: strokes first, fills on top hide the inner half."""
+        """Draws one common outline around shapes that are filled afterwards: the fills hide the inner half of the strokes."""
         for d in paths:
             self.path(d, fill=colour, stroke=colour, stroke_width=2 * width, stroke_linejoin="round")
 

@@ -1,4 +1,4 @@
-"""Draws frog.svg: seen from above, elbow and knee nearly touching, narrow gaps between thigh, shank and body."""
+"""Draws frog.svg: a frog from above, with elbows and knees nearly touching and narrow gaps between thigh, shank and body."""
 import math
 import sys
 
@@ -21,7 +21,7 @@ TOES = [(176, 205), (150, 262), (122, 268), (92, 220), (58, 168)]
 
 
 def digits(root, fan, width):
-    """Fingers or toes: (angle in degrees, length) from the root, slightly bent, with round pads."""
+    """Returns the paths and the pad centres of slightly bent fingers or toes, given as (angle in degrees, length) from the root."""
     bones, pads = [], []
     for entry in fan:
         a, length = math.radians(entry[0]), entry[1]
@@ -40,7 +40,7 @@ def circle(x, y, r):
 
 
 def extremity(p, root, fan, width, pad, limbs):
-    """Hand or foot with its digits; limbs are (path, fill) that share its outline."""
+    """Draws a hand or foot with its digits. `limbs` are pairs (path, fill) that share its outline."""
     bones, pads = digits(root, fan, width)
     discs = [circle(x, y, pad) for x, y in pads]
     p.outline(bones + discs + [d for d, _ in limbs], INK, LINE)
@@ -54,7 +54,7 @@ def extremity(p, root, fan, width, pad, limbs):
 
 
 def gleam(p, spine, shift, width, opacity):
-    """A soft light along a limb."""
+    """Draws a soft highlight along a limb."""
     line = [(x + shift[0] * w, y + shift[1] * w) for x, y, w in spine]
     p.path(smooth(line, closed=False), fill="none", stroke="#d9f59a", stroke_width=width, stroke_linecap="round", opacity=opacity, filter="url(#soft)")
 
@@ -65,7 +65,7 @@ def shade(p, spine, shift, width, opacity):
 
 
 def bars(p, spine, places, colour, side):
-    """Cross bars on a limb, like those of a tree frog's thigh."""
+    """Draws cross bars on a limb, like those on a tree frog's thigh."""
     for place in places:
         i = min(int(place), len(spine) - 2)
         t = place - i
@@ -123,7 +123,7 @@ def arm(p, side):
 
 def back(p, body):
     p.open(clip_path="url(#body)")
-    # Flanks: a blue band with cream bars, seen at the edge
+    # Flanks: a blue band with cream bars, visible at the edge
     for side in (-1, 1):
         band = [(AXIS + side * x, y) for x, y in ((345, 905), (290, 985), (268, 1120), (276, 1270), (244, 1420), (120, 1590), (420, 1640), (480, 1000))]
         p.path(smooth(band), fill="url(#flank)")

@@ -37,7 +37,7 @@ def hooves(picture, x, y, colour):
 
 
 def patches(body, neck):
-    """Coat pattern: cells that get smaller up the neck and down the legs."""
+    """Returns the cells of the coat pattern, which get smaller up the neck and down the legs."""
     polygons = [sample(s) for s in body]
 
     def size(p):
@@ -88,7 +88,7 @@ def tail(picture):
 
 
 def mane(picture):
-    """A strip of hair along the back of the neck, tufted, behind the neck."""
+    """Draws a tufted strip of hair behind the neck, along its back, and returns its path data."""
     outer, inner = [], []
     for k in range(23):
         t = k / 22

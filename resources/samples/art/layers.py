@@ -1,4 +1,4 @@
-"""Makes an OpenRaster file of the groups of a drawing, each a layer with the group's id: layers.py DRAWING.svg OUT.ora
+"""Writes the groups of a drawing as an OpenRaster file, each as a layer with the group's id: layers.py DRAWING.svg OUT.ora
 
 Needs rsvg-convert."""
 import re

@@ -1,4 +1,4 @@
-"""Draws octopus.svg: eight arms with suckers, apart from each other all the way."""
+"""Draws octopus.svg: an octopus whose eight arms with suckers do not touch each other."""
 import math
 import sys
 
@@ -9,13 +9,13 @@ LINE = 11
 HEAD = [(1200, 250), (1400, 282), (1560, 390), (1640, 560), (1640, 740), (1580, 900), (1500, 1010), (1490, 1120), (1540, 1240), (1480, 1350),
         (1200, 1400)]
 HEAD = HEAD + [(2400 - x, y) for x, y in HEAD[-2:0:-1]]
-# start x, y, width, direction (degrees, 0 right, 90 down), length, turn over the first half, turn over the second half
+# start x, y, width, direction (degrees; 0 is right, 90 is down), length, bend of the first half, bend of the second half (degrees)
 ARMS = [(1490, 1180, 92, 4, 880, -55, -340), (1490, 1260, 88, 18, 960, 24, -300), (1420, 1310, 86, 50, 1040, 36, -290), (1262, 1340, 84, 88, 800, 14, -320),
         (910, 1180, 92, 176, 840, 70, 320), (910, 1260, 88, 163, 980, -30, 290), (980, 1310, 86, 131, 1060, -38, 300), (1138, 1340, 84, 92, 860, -16, 320)]
 
 
 def spine(x, y, width, direction, length, first, second):
-    """Points (x, y, half width) of an arm whose direction turns slowly first and curls up at the tip."""
+    """Returns the points (x, y, half width) of an arm whose direction changes slowly at first and curls up at the tip."""
     steps = 26
     out = []
     angle = math.radians(direction)
@@ -43,7 +43,7 @@ def arm(p, index, entry):
     p.outline([d], INK, LINE)
     p.path(d, fill="url(#skin)")
     p.clip(f"arm{index}", d)
-    # Suckers sit on the inner side of the curl
+    # The suckers are on the inner side of the curl
     inner = 1 if entry[6] > 0 else -1
     p.open(clip_path=f"url(#arm{index})")
     band = [side(points, k, inner * 0.35) for k in range(len(points))] + [side(points, k, inner * 1.2) for k in reversed(range(len(points)))]

@@ -22,7 +22,7 @@ def figure(p, x, y, text, scale):
 
 
 def outline(inset):
-    """A tape with round ends and a hole in the left one."""
+    """Returns the path data of a tape with round ends and a hole at the left, drawn in by `inset`."""
     l, r, t, b = LEFT + inset, RIGHT - inset, TOP + inset, BOTTOM - inset
     k = 70 - inset
     hole = 36 + inset

@@ -1,6 +1,6 @@
-"""Draws walker.svg, whose groups are the layers of walker.ora (layers.py), and writes the walk: walker.wend beside it.
+"""Draws walker.svg, whose groups are the layers of walker.ora (layers.py), and writes the walk to walker.wend beside it.
 
-The picture shows the walk at its beginning: the near leg in front, its heel on the ground, and the far one behind."""
+The picture shows the start of the walk: the near leg is in front, with its heel on the ground, and the far leg is behind."""
 import json
 import math
 import os
@@ -12,13 +12,14 @@ INK, LINE = "#33263f", 9
 COAT, COAT_LIGHT, COAT_DARK = "#f4bd3a", "#ffdd74", "#cf8f22"
 CLOTH, CLOTH_FAR, BOOT, BOOT_FAR = "#4d6fb3", "#3c5690", "#c8473f", "#98343a"
 SKIN, SKIN_LIGHT, HAIR = "#f2b98f", "#ffd9b8", "#6d3d2a"
-GROUND, RISE = 1090, 34  # of the soles; of the body
+GROUND, RISE = 1090, 34  # y of the soles on the ground; rise of the body
 SCALE = 2  # pixels of the picture per unit of this drawing
 HIP, SHOULDER, NECK = (560, 770), (562, 540), (585, 440)
 
 
 def foot(phase):
-    """The middle of a boot's sole and its angle (positive: heel up), at a phase of its step: 0 to 0.5 on the ground, then in the air."""
+    """Returns the middle of a boot's sole and its angle (positive: heel up) at a phase of its step: 0 to 0.5 on the
+    ground, then in the air."""
     keys = [(0, 150, 0, -0.32), (0.08, 102, 0, 0), (0.38, -78, 0, 0), (0.5, -150, -24, 0.5), (0.62, -120, -92, 0.9), (0.78, 20, -78, 0.35),
             (0.9, 130, -40, -0.3), (1, 150, 0, -0.32)]
     for a, b in zip(keys, keys[1:]):
@@ -30,15 +31,15 @@ def foot(phase):
 
 
 def sole(phase, along, up=0):
-    """A place of the boot: so far towards its toe, and above its sole."""
+    """Returns the point of the boot at the distance `along` towards its toe and `up` above its sole."""
     x, y, angle = foot(phase)
-    lift = max(0, 52 * math.sin(angle), 40 * math.sin(-angle))  # it turns about its toe or heel, not into the ground
+    lift = max(0, 52 * math.sin(angle), 40 * math.sin(-angle))  # the boot rotates about its toe or heel, not into the ground
     c, s = math.cos(angle), math.sin(angle)
     return x + along * c + up * s, y - lift + along * s - up * c
 
 
 def hand(phase):
-    """At a phase of the leg on the same side, which the arm opposes."""
+    """Returns the position of a hand at a phase of the leg on the same side, which the arm opposes."""
     swing = -math.cos(2 * math.pi * phase)
     angle = 0.8 * swing + 0.12
     length = 252 - 26 * (swing + 1)
@@ -127,7 +128,7 @@ def draw(target):
 
 
 def motion(times, place, ease=None):
-    """Straight moves between key poses. A place is given by the time; `ease` names the ease of each move."""
+    """Returns straight moves between the positions place(t) at the given times. `ease` lists the eases of the moves and repeats."""
     moves = []
     for i, (a, b) in enumerate(zip(times, times[1:])):
         by = [round(SCALE * (q - p), 2) for p, q in zip(place(a), place(b))]
@@ -135,7 +136,7 @@ def motion(times, place, ease=None):
         if ease:
             move["ease"] = ease[i % len(ease)]
         moves.append(move)
-    for k in (0, 1):  # rounded, they come back exactly
+    for k in (0, 1):  # the last move absorbs the rounding errors, so that the cycle closes exactly
         moves[-1]["by"][k] = round(-sum(m["by"][k] for m in moves[:-1]), 2) + 0.0
     return moves
 

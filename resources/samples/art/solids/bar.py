@@ -1,8 +1,8 @@
-"""The bar: a box of 9 by 1 by 1 with rounded edges. Usage: bar.py OUT.obj"""
+"""Writes the bar, a box of 9 by 1 by 1 with rounded edges. Usage: bar.py OUT.obj"""
 import sys
 
 LENGTH = 9
-N = 5  # squares along the short sides
+N = 5  # squares along a short side
 
 
 def bar():
@@ -31,7 +31,7 @@ def bar():
 
 
 def rounded(p, radius=0.2):
-    """The point of the box's surface, drawn in to where its edges are round."""
+    """Returns the point of the rounded surface that belongs to a point on the surface of the sharp-edged box."""
     size = (LENGTH, 1, 1)
     core = [min(max(p[k], radius), size[k] - radius) for k in range(3)]
     off = [p[k] - core[k] for k in range(3)]

@@ -1,5 +1,6 @@
-"""The eagle: a body, a neck, a head with its beak, a fanned tail and two wings that flow into each other. x to its left,
-y ahead, z up. Usage: eagle.py OUT.obj"""
+"""Writes the eagle: a body, a neck, a head with a beak, a fanned tail and two wings, which blend smoothly. Usage: eagle.py OUT.obj
+
+The x axis points sideways, y ahead and z up."""
 import math
 import sys
 
@@ -7,7 +8,7 @@ from implicit import ellipsoid, smooth_union, surface, tube, write_obj
 
 
 def spline(keys, u):
-    """Smooth through (u, values) keys: cubics with the slopes of their neighbours."""
+    """Returns the values at u of a smooth curve through (u, values) keys: cubics whose slopes come from the neighbouring keys."""
     for i in range(len(keys) - 1):
         (u0, a), (u1, b) = keys[i], keys[i + 1]
         if u > u1:
@@ -28,7 +29,7 @@ def spline(keys, u):
     return keys[-1][1]
 
 
-# Along the span: forward, up, half chord, half thickness.
+# Keys along the span: forward and upward offset, half chord, half thickness.
 WING = [
     (0.15, (0.12, 0.10, 0.56, 0.19)),
     (0.75, (0.24, 0.28, 0.46, 0.165)),
@@ -40,7 +41,7 @@ TAIL = [(-1.70, (0.10, 0.44, 0.105)), (-1.20, (0.06, 0.34, 0.11)), (-0.50, (0.02
 
 
 def flat_part(along, first, last, across, up, half_width, half_height):
-    """A leaf: elliptic across, rounded at its ends."""
+    """Returns the approximate distance to a leaf with an elliptic cross-section and rounded ends, negative inside."""
     over = max(first - along, 0.0, along - last)
     q = (across / half_width, up / half_height, over / half_height)
     k0 = math.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2)

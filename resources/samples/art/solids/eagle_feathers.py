@@ -1,4 +1,5 @@
-"""What is seen of the eagle: wings and tail of feathers, a hooked beak, eyes and feet, finer than the solid that carries it.
+"""Writes the detailed surface of the eagle: wings and tail of feathers, a hooked beak, eyes and feet, finer than the solid that carries it.
+
 Usage: eagle_feathers.py OUT.obj     its materials are in eagle-feathers.mtl, its texture is drawn by plumage.py"""
 import math
 import sys
@@ -9,7 +10,7 @@ from plumage import HEIGHT, WIDTH
 
 
 def blade(p, root, angle, length, half_width, half_height, rise=0.0):
-    """A flat feather from its root along the angle in the plane, its tip raised."""
+    """Returns the approximate distance to a flat feather from its root along the angle in the plane, with a raised tip."""
     along = (math.cos(angle), math.sin(angle), rise)
     size = math.sqrt(dot(along, along))
     along = tuple(a / size for a in along)
@@ -67,7 +68,7 @@ def foot(p):
 
 
 def ball(centre, radius, rings=7, around=12):
-    """A small sphere of its own."""
+    """Returns the points and triangles of a small sphere."""
     points = [add(centre, (0, 0, radius))]
     for i in range(1, rings):
         t = math.pi * i / rings
@@ -88,7 +89,7 @@ def ball(centre, radius, rings=7, around=12):
 
 
 def parts():
-    """Material, points, triangles."""
+    """Yields the material, points and triangles of each part."""
     yield "plumage", *surface(eagle, (-3.1, -2.2, -0.5), (3.1, 1.7, 0.7), 0.052, 5)
     yield "feet", *surface(foot, (-0.4, -0.3, -0.68), (0.4, 0.3, -0.1), 0.045, 5)
     for side in (-1, 1):

@@ -1,7 +1,7 @@
-"""Closed triangle surfaces of solids that are given by a function: negative inside, positive outside.
+"""Triangulates the closed surfaces of solids that are given by a function, negative inside and positive outside.
 
-Naive surface nets (one vertex per grid cell that the surface passes, Gibson 1998), then rounds of relaxation along the
-surface and Newton steps back onto it, so that the triangles become even. Everything is deterministic."""
+Naive surface nets (one vertex per grid cell that the surface crosses, Gibson 1998) are followed by rounds of relaxation
+along the surface and Newton steps back onto it, so that the triangles become even. Everything is deterministic."""
 import math
 
 
@@ -27,13 +27,13 @@ def unit(a):
 
 
 def smooth_union(values, k):
-    """A soft minimum: parts that come nearer than k flow into each other."""
+    """Returns a soft minimum of the values: parts that are nearer than k blend into each other."""
     least = min(values)
     return least - k * math.log(sum(math.exp((least - v) / k) for v in values))
 
 
 def ellipsoid(p, centre, radii):
-    """About the distance to an ellipsoid."""
+    """Returns the approximate distance to an ellipsoid."""
     q = [(p[i] - centre[i]) / radii[i] for i in range(3)]
     k0 = math.sqrt(dot(q, q))
     k1 = math.sqrt(sum((q[i] / radii[i]) ** 2 for i in range(3)))
@@ -41,7 +41,7 @@ def ellipsoid(p, centre, radii):
 
 
 def tube(p, points, radii):
-    """Distance to a chain of capsules whose radius goes linearly from point to point."""
+    """Returns the distance to a chain of capsules whose radius changes linearly from point to point."""
     best = math.inf
     for (a, ra), (b, rb) in zip(zip(points, radii), zip(points[1:], radii[1:])):
         d = sub(b, a)
@@ -60,9 +60,9 @@ EDGES = [(a, b) for a in range(8) for b in range(a + 1, 8) if bin(a ^ b).count("
 
 
 def surface(f, low, high, h, rounds=12):
-    """Points and triangles of the surface f = 0 within the box, with edges of about h; outward oriented."""
+    """Returns the points and triangles of the surface f = 0 within the box, oriented outwards, with edges of about h."""
     counts = [int(math.ceil((high[k] - low[k]) / h)) + 1 for k in range(3)]
-    # Centred in the box: what is symmetric stays so.
+    # The grid is centred in the box, so that symmetric shapes stay symmetric.
     start = [(low[k] + high[k] - (counts[k] - 1) * h) / 2 for k in range(3)]
     value = {}
     for z in range(counts[2]):
@@ -115,7 +115,7 @@ def on_surface(f, p, h):
 
 
 def relaxed(f, points, quads, h, rounds):
-    """The quads in two triangles each, along the shorter diagonal, evened out."""
+    """Evens out the points, splits each quad into two triangles along its shorter diagonal, and returns points and triangles."""
     around = [set() for _ in points]
     for quad in quads:
         for k in range(4):

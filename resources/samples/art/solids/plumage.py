@@ -1,5 +1,6 @@
-"""The eagle's plumage from above, as the texture of its surface: 6 x 4.4 units around (0, -0.2), x to the right, y up.
-Usage: plumage.py OUT.svg"""
+"""Draws the eagle's plumage from above as the texture of its surface. Usage: plumage.py OUT.svg
+
+The texture covers 6 x 4.4 units around (0, -0.2), with x to the right and y up."""
 import math
 import sys
 
@@ -13,7 +14,7 @@ def at(x, y):
 
 
 def feather(x, y, angle, length, width, fill, rim):
-    """From its root at (x, y) along the angle: a leaf with a light rim and a shaft."""
+    """Returns the SVG of a feather from its root at (x, y) along the angle: a leaf with a light rim and a shaft."""
     px, py = at(x, y)
     long, half = length * SCALE, width * SCALE / 2
     turn = -math.degrees(angle)
@@ -30,7 +31,7 @@ def mixed(a, b, t):
 
 
 def wing(side):
-    """Long feathers along the trailing edge, coverts over them in four rows, the first ones smallest."""
+    """Returns long feathers along the trailing edge and four rows of coverts over them, which get smaller towards the leading edge."""
     parts = []
     for k in range(34):
         x = 0.2 + 2.3 * k / 33
@@ -65,7 +66,7 @@ def plumage():
         parts += wing(side)
     left, top = at(-0.34, 0.62)
     parts += scales([(-0.75 + 0.1 * k, 0.42) for k in range(16)], "#5c4231", "#8b6b4f", 0.15)
-    # The tail: a white fan.
+    # The tail is a white fan.
     left, top = at(-0.9, -0.95)
     parts.append(f'<rect x="{left:.0f}" y="{top:.0f}" width="{1.8 * SCALE:.0f}" height="{1.6 * SCALE:.0f}" fill="#e4ddcf"/>')
     for k in (0, 8, 1, 7, 2, 6, 3, 5, 4):

@@ -1,4 +1,5 @@
-"""A picture of a surface for the start page, with the colours and pictures of its materials, on nothing.
+"""Draws a surface for the start page with the colours and pictures of its materials, on a transparent background.
+
 Usage: portrait.py IN.obj OUT.png ANGLE TILT R,G,B     angles in degrees: about z, and from above; the colour is that of
 triangles without material"""
 import math
@@ -12,7 +13,7 @@ FINE = 2  # samples per pixel and direction
 
 
 def read_png(path):
-    """Rows of RGB triples of a PNG with 8 bits a channel that is not interlaced."""
+    """Returns the rows of RGB triples of a PNG that has 8 bits per channel and is not interlaced."""
     with open(path, "rb") as file:
         data = file.read()
     at, packed, palette = 8, b"", []
@@ -55,7 +56,7 @@ def read_png(path):
 
 
 def write_png(path, rows):
-    """Rows of RGBA bytes."""
+    """Writes rows of RGBA bytes as a PNG."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
 
@@ -81,7 +82,7 @@ def read_materials(path):
 
 
 def read_obj(path, colour):
-    """Points, texture points, triangles, texture triangles, and what each triangle is painted with."""
+    """Returns points, texture points, triangles, texture triangles, and the colour or picture of each triangle."""
     points, texture, triangles, corners, paints = [], [], [], [], []
     materials, paint = {}, colour
     with open(path, encoding="utf-8") as file:
@@ -106,7 +107,7 @@ def turned(p, angle, tilt):
     x, y, z = p
     x, y = x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)
     y, z = y * math.cos(tilt) - z * math.sin(tilt), y * math.sin(tilt) + z * math.cos(tilt)
-    return x, -z, y  # right, down, away
+    return x, -z, y  # right, down, away from the viewer
 
 
 def normals_of(points, triangles):
@@ -136,7 +137,7 @@ def lit(colour, n):
 
 
 def portrait(points, texture, triangles, corners, paints, angle, tilt):
-    """Samples, row by row: None or a colour; the nearest triangle wins."""
+    """Returns the samples row by row: the colour of the nearest triangle, or None where there is none."""
     seen = [turned(p, angle, tilt) for p in points]
     low = [min(p[k] for p in seen) for k in range(2)]
     high = [max(p[k] for p in seen) for k in range(2)]
@@ -150,7 +151,7 @@ def portrait(points, texture, triangles, corners, paints, angle, tilt):
         (ax, ay), (bx, by), (cx, cy) = (at[i] for i in t)
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
         if area >= 0:
-            continue  # seen from behind
+            continue  # a back face
         for y in range(max(0, math.ceil(min(ay, by, cy))), min(size[1] - 1, math.floor(max(ay, by, cy))) + 1):
             for x in range(max(0, math.ceil(min(ax, bx, cx))), min(size[0] - 1, math.floor(max(ax, bx, cx))) + 1):
                 wb = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
