@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/benchmarks.md, between its two marks, from what `wend bench -o FILE` wrote.
+"""Writes the tables between the two marks of docs/benchmarks.md from the results of `wend bench -o FILE`.
 
     scripts/benchmark_page.py FILE [FILE …]
 
-The first file gives all tables, those of other instruction sets (WEND_SIMD) one short table each.
+The first file provides all tables; files for other instruction sets (WEND_SIMD) add one short table each.
 """
 import json
 import pathlib
@@ -35,7 +35,7 @@ def table(case):
 
 
 def glance(cases):
-    """What the parts come to: ratios to the paper's scheme in the same run, and the frame of a drag."""
+    """Returns the summary table: ratios to the paper's scheme in the same run, and the frame time of a drag."""
     lines = ["### At a glance", "",
              "| case | vertices | ten RK4 steps, 1 thread | all | soonest at 1e-4, all threads | a drag's frame | at EQUIA |",
              "| --- | --- | --- | --- | --- | --- | --- |"]
@@ -65,7 +65,8 @@ def growth(rows):
 
 
 def short(results):
-    """The factor beside CHOLMOD's and the whole flow beside the paper's, one thread, on another instruction set."""
+    """Returns the table of another instruction set: the factorization beside CHOLMOD's and the whole flow beside the
+    paper's, with one thread."""
     rows = [(case, {(row["what"], row["threads"]): row for row in case["rows"]}) for case in results["cases"]]
     lines = [f"### On {results['simd']}", "", "| case | CHOLMOD | factor, double | factor, single | ten RK4 steps, 1 thread |",
              "| --- | --- | --- | --- | --- |"]

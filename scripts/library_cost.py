@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""What a call costs in a loop: 100 runs of one Flow and 100 starts of `wend run`, each moving a handle of a mesh of 5,000 vertices by
-1 % of its size. Both take one thread. Prints the median of the time and the mean of the processors' time of both in milliseconds: the numbers of docs/library.md.
+"""Measures the cost of a call in a loop: 100 runs of one Flow and 100 starts of `wend run`, each moving a handle of a
+mesh of 5,000 vertices by 1 % of its size, with one thread. Prints the median of the time and the mean of the processor
+time of both in milliseconds: the numbers of docs/library.md.
 
 usage: PYTHONPATH=build/release scripts/library_cost.py [path of wend]; needs python3-numpy.
 """

@@ -1,10 +1,10 @@
-"""Meshes in text, as Wend writes them, read without it."""
+"""Reads the text meshes that Wend writes, without using Wend."""
 
 import numpy as np
 
 
 def read_mesh(path):
-    """Points and cells of an .obj in the plane or a .mesh of tetrahedra."""
+    """Returns the points and cells of a planar .obj or of a .mesh of tetrahedra."""
     words = [line.split() for line in path.read_text().splitlines()]
     if path.suffix == ".obj":
         points = [w[1:4] for w in words if w[:1] == ["v"]]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the little drawings of the tooltips (resources/tips/*.svg) with the program itself: grids that are held and pulled.
+"""Draws the pictures of the tooltips (resources/tips/*.svg) with the program itself: grids that are held and pulled.
 
 Usage: tip_pictures.py [WEND]   WEND: the program, by default the one on PATH.
 
-The drawings have three tones, which the window replaces by those of its palette: #000000 (ink), #808080 (what is quiet) and
-#4a5bd4 (what matters).
+The drawings have three tones, which the window replaces by those of its palette: #000000 (ink), #808080 (minor lines) and
+#4a5bd4 (highlights).
 """
 import json
 import math
@@ -15,11 +15,11 @@ import sys
 import tempfile
 
 OUT = pathlib.Path(__file__).resolve().parent.parent / "resources" / "tips"
-SCALE = 40.0  # of a drawing, to one unit of the scene
+SCALE = 40.0  # pixels of a drawing per unit of the scene
 
 
 class Grid:
-    """A rectangle from (0, 0) to (width, height), `cells` squares to a unit."""
+    """A rectangle from (0, 0) to (width, height) with `cells` squares per unit."""
 
     def __init__(self, width, height, cells):
         self.columns, self.rows = width * cells + 1, height * cells + 1
@@ -38,7 +38,7 @@ class Grid:
         path.write_text("\n".join(lines) + "\n")
 
     def lines(self, step):
-        """The numbers of the vertices along every line of the grid that is drawn, and whether it is the border's."""
+        """Yields the numbers of the vertices along every drawn line of the grid, and whether the line is on the boundary."""
         for j in range(0, self.rows, step):
             yield [self.at(i, j) for i in range(self.columns)], j in (0, self.rows - 1)
         for i in range(0, self.columns, step):
@@ -46,7 +46,7 @@ class Grid:
 
 
 def bent(wend, grid, material, handles, *options):
-    """Where the vertices are at the end."""
+    """Returns the positions of the vertices at the end of the motion."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         grid.write(folder / "grid.obj")
@@ -64,8 +64,8 @@ def path(points, tone, width):
 
 
 def draw(name, grid, points, step, marks, box, is_special=lambda p: False, way=()):
-    """`marks`: a list of (where the pin is, whether it was pulled); `box`: what is seen, in the scene's units;
-    `way`: of a pin."""
+    """Writes a drawing. `marks` lists pairs (position of a pin, whether it was pulled), `box` is the visible area in
+    units of the scene, and `way` is the path of a pin."""
     low, high = box
     size = [(h - l) * SCALE for l, h in zip(low, high)]
     rows = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" height="{size[1]:.0f}" '
@@ -94,7 +94,7 @@ def pulled(name, vertices, by):
 
 
 def energies(wend):
-    """A square that is held at its left side and pulled at its right."""
+    """Draws a square that is held at its left side and pulled at its right, for each energy."""
     grid = Grid(2, 2, 12)
     left, right = near(grid, (0.25, 1), 0.17), near(grid, (1.75, 1), 0.17)
     handles = [{"name": "left", "at": {"vertices": left}}, pulled("right", right, [0.6, 0])]
@@ -104,7 +104,7 @@ def energies(wend):
 
 
 def reaches(wend):
-    """A strip that is held below, and of whose upper side a point is pulled."""
+    """Draws a strip that is held at its lower side while a point of its upper side is pulled, with a short and a long smoothing length."""
     grid = Grid(3, 1, 16)
     below = [grid.at(i, grid.rows - 1) for i in range(grid.columns)]
     handles = [{"name": "below", "at": {"vertices": below}}, pulled("top", [grid.at(24, 0)], [0, -0.6])]
@@ -115,7 +115,7 @@ def reaches(wend):
 
 
 def stiffness(wend):
-    """A bar that is held at its left end and pulled at its right; its left half is stiff along it."""
+    """Draws a bar that is held at its left end and pulled at its right, without and with a left half that is stiff along the bar."""
     grid = Grid(3, 1, 12)
     sides = [[grid.at(i, j) for j in range(grid.rows)] for i in (0, grid.columns - 1)]
     handles = [{"name": "left", "at": {"vertices": sides[0]}}, pulled("right", sides[1], [1.5, 0])]
@@ -128,7 +128,7 @@ def stiffness(wend):
 
 
 def circled(name, vertices, at, radius):
-    """A pin that is led once around a circle above it."""
+    """Returns a pin that moves once around a circle above it."""
     points = [[at[0] + radius * math.sin(a), at[1] - radius * (1 - math.cos(a))]
               for a in (2 * math.pi * k / 48 for k in range(49))]
     return {"name": name, "at": {"vertices": vertices},
@@ -136,8 +136,8 @@ def circled(name, vertices, at, radius):
 
 
 def memories(wend):
-    """A strip that is held at its left end, and whose right end went around and is back: what it ends in by itself, springing
-    back, and relaxed."""
+    """Draws a strip that is held at its left end and whose right end has moved around a circle and back: without memory,
+    with memory, and before and after relaxing."""
     grid = Grid(3, 1, 12)
     left = [grid.at(0, j) for j in range(grid.rows)]
     handles = [{"name": "left", "at": {"vertices": left}}, circled("right", near(grid, (3, 0.5), 0.2), (3, 0.5), 0.75)]

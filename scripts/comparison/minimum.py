@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""How far settled and elastic shapes are from minima that are found here, independently. Needs python3-scipy.
+"""Measures how far settled and elastic shapes are from minima that are computed here independently. Needs python3-scipy.
 
     scripts/comparison/minimum.py [WEND] [CASE…]        (build/release/wend, all flat cases that bend)
 
-For each energy W of docs/method.md, (19) and (20), is minimized from the end of Wend's flow: stresses by their formula, their
-derivatives by differences, Newton's method with eigenvalues of cells that are not positive clamped until it converges.
-Prints the greatest distance of a vertex, in sizes of the shape.
+Minimizes W of docs/method.md, (19) and (20), for each energy, starting from the end of Wend's flow. The stresses follow
+their formula, and their derivatives are finite differences. Newton's method clamps the non-positive eigenvalues of cells
+until it is near the minimum. Prints the largest distance of a vertex, in units of the shape's size.
 """
 import json
 import math
@@ -15,13 +15,13 @@ import sys
 import tempfile
 
 CASES = sys.argv[2:] or ["strip_5k_bend180", "giraffe_5k_drink", "giraffe_5k_back"]
-import run as cases  # noqa: E402  (which reads WEND from the arguments, too)
+import run as cases  # noqa: E402  (run.py reads WEND from the arguments, too)
 import numpy as np  # noqa: E402
 import scipy.sparse  # noqa: E402
 import scipy.sparse.linalg  # noqa: E402
 
 PHI = {"equia": math.atan(2 ** -9), "metr": math.atan(0.5), "akvf": math.pi / 2, "conf": math.pi - math.atan(0.5)}
-STEP = 1e-6  # of the differences
+STEP = 1e-6  # step of the finite differences
 
 
 def edges(points, cells):
@@ -29,7 +29,7 @@ def edges(points, cells):
 
 
 def size(points, cells):
-    """√(12 Tr C), C the covariance of the domain."""
+    """Returns √(12 Tr C), where C is the covariance of the domain."""
     area = np.linalg.det(edges(points, cells)) / 2
     corners = points[cells] - ((area[:, None] * points[cells].mean(1)).sum(0) / area.sum())
     second = (corners.sum(1) ** 2).sum(1) + (corners ** 2).sum((1, 2))
@@ -43,7 +43,7 @@ class Energy:
         self.gradients = np.stack([-inverse.sum(1), inverse[:, 0], inverse[:, 1]], 1)
         self.shear, self.growth = 2 * math.sin(phi), 2 * math.sin(phi) + math.cos(phi)
         self.rows = (2 * cells[:, :, None] + np.arange(2)).reshape(len(cells), 6)
-        self.lift = np.zeros((len(cells), 4, 6))  # from a cell's corners to F, row by row
+        self.lift = np.zeros((len(cells), 4, 6))  # maps a cell's corners to F, row by row
         for a in range(2):
             for b in range(2):
                 for k in range(3):

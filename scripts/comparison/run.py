@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Runs Wend on the cases beside this and writes docs/comparison.md and its picture. Needs python3-numpy.
+"""Runs Wend on the cases in this folder and writes docs/comparison.md and its picture. Needs python3-numpy.
 
     scripts/comparison/run.py [WEND]        (build/release/wend)
 
-Seconds are processor time, so that other work on the machine counts little; WEND_JOBS says how many runs there
-are at once.
+Seconds are processor time, so that other work on the machine hardly affects them. WEND_JOBS sets the number of concurrent
+runs.
 
-others.json holds what other programs end with on the same cases (measured once, on the machine and with the
-versions that it names); their code is not here. Errors are computed here, from the written meshes, not by Wend.
+others.json holds the results of other programs on the same cases, measured once on the machine and with the versions that
+it names; their code is not in this repository. Errors are computed here from the written meshes, not by Wend.
 """
 import concurrent.futures
 import json
@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # several threads of its own beside those below may wait for ever
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # OpenBLAS's own threads beside those below may deadlock
 import numpy as np  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -30,7 +30,7 @@ CASES = ["strip_5k_stretch", "strip_5k_bend90", "strip_5k_bend180", "square_5k_p
          "giraffe_5k_drink", "giraffe_5k_back", "bar_1k5_bend90", "bar_1k5_twist90", "bar_1k5_twist180"]
 ENERGIES = ["equia", "metr", "akvf", "conf"]
 WAYS = {"flow": [], "memory 10": ["--memory", "10"], "elastic": ["--memory", "elastic"], "settled": ["--settle"]}
-PIECES = 6  # cubic pieces of a way that is no motion of Wend's own: 1e-6 off for half a turn
+PIECES = 6  # cubic pieces of a trajectory that is none of Wend's motions; the error is 1e-6 for half a turn
 
 
 def rotation(angle, axis=None):
@@ -43,7 +43,7 @@ def rotation(angle, axis=None):
 
 
 def place(way, points, t):
-    """Where points of a handle are at a time: an arc of constant length that bends, or a polyline that turns."""
+    """Returns the points of a handle at time t: an arc of constant length bends, or a polyline moves and rotates them."""
     dim = points.shape[1]
     if way["type"] == "arc":
         base, length, angle = np.array(way["base"], float), way["length"], t * way["angle"]
@@ -67,7 +67,7 @@ def handles_of(case, points):
             motion["by"] = way["by"]
         elif way["type"] == "rotate":
             motion.update(centre=way["center"], angle=way["angle"], **({"axis": way["axis"]} if "axis" in way else {}))
-        else:  # each vertex on a chain of cubics of its own, each through four of its places
+        else:  # each vertex gets its own chain of cubics, each through four of its positions
             p = np.array([place(way, points[ids], t) for t in np.linspace(0, 1, 3 * PIECES + 1)])
             chain = p.copy()
             q = [p[k:len(p) - 3 + k:3] for k in range(4)]
@@ -82,7 +82,7 @@ def handles_of(case, points):
 
 
 def errors(rest, cells, pose):
-    """The paper's errors of the map from rest to pose, the cells that are turned over, and the worst stretch."""
+    """Returns the paper's errors of the map from rest to pose, the number of inverted cells, and the largest stretch."""
     edges = lambda p: p[cells[:, 1:]] - p[cells[:, :1]]
     F = np.swapaxes(np.linalg.solve(edges(rest), edges(pose)), 1, 2)
     share = np.abs(np.linalg.det(edges(rest)))
@@ -124,7 +124,7 @@ def number(value):
 
 
 def best_other(rows):
-    """The least F_metric without inverted cells and with the constraints met."""
+    """Returns the row with the least F_metric that has no inverted cells and meets the constraints, or None. Ignores libigl's BBW."""
     sound = [r for r in rows if r["flips"] == 0 and r["constraint"] < 1e-4 and not r["program"].startswith("libigl BBW")]
     return min(sound, key=lambda r: r["metric"]) if sound else None
 
@@ -147,7 +147,7 @@ def table(name, results, others):
 
 
 def outline(cells):
-    """Rings of the border, whose edges are of one cell."""
+    """Returns the rings of the boundary, whose edges belong to one cell only."""
     count = {}
     for a, b, c in cells:
         for edge in ((a, b), (b, c), (c, a)):
@@ -156,7 +156,7 @@ def outline(cells):
 
 
 def chained(edges):
-    """Closed rings of vertices."""
+    """Returns the closed rings of vertices that the edges form."""
     after = {}
     for a, b in edges:
         after.setdefault(a, []).append(b)
@@ -172,7 +172,7 @@ def chained(edges):
 
 
 def picture(results):
-    """Outlines of the flat cases at their ends: a column for each energy, a row for each case; settled over flow."""
+    """Draws the outlines of the flat cases at their ends, settled over flow: a column for each energy, a row for each case."""
     cell, rows = 220, [c for c in CASES if not c.startswith("bar")]
     svg = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{cell * 4}" height="{cell * len(rows)}" font-family="sans-serif" font-size="11">',
            '<rect width="100%" height="100%" fill="#ffffff"/>']

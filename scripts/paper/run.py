@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Writes docs/paper.md and its pictures from what `wend bench paper` measures. Needs python3-scipy, rsvg-convert, optipng.
+"""Writes docs/paper.md and its pictures from the measurements of `wend bench paper`. Needs python3-scipy, rsvg-convert, optipng.
 
-    scripts/paper/run.py [WEND [FOLDER]]        (build/release/wend; FOLDER keeps what was computed, and is used again)
+    scripts/paper/run.py [WEND [FOLDER]]        (build/release/wend; FOLDER keeps the results, which are then reused)
 """
 import json
 import pathlib
@@ -19,7 +19,7 @@ from mesh_text import read_mesh  # noqa: E402
 WEND = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/wend").resolve()
 PICTURES = ROOT / "docs/pictures"
 INK, PAPER = "#2b3038", "#eef1f4"
-LOW, MIDDLE, HIGH = np.array([38, 92, 158]), np.array([247, 247, 247]), np.array([217, 116, 20])  # smaller, kept, larger
+LOW, MIDDLE, HIGH = np.array([38, 92, 158]), np.array([247, 247, 247]), np.array([217, 116, 20])  # smaller, unchanged, larger cells
 
 
 def measures(points, cells):
@@ -27,7 +27,7 @@ def measures(points, cells):
 
 
 def colours(change):
-    """Of measures: blue where it halved, orange where it doubled."""
+    """Returns the colours of relative changes of measure: blue where it halved, orange where it doubled."""
     t = np.clip(np.log2(np.maximum(change, 1e-9)), -1, 1)[:, None]
     return np.where(t < 0, MIDDLE + (LOW - MIDDLE) * -t, MIDDLE + (HIGH - MIDDLE) * t)
 
@@ -60,7 +60,7 @@ class Panel:
             self.line(pose[ring], 1.4)
         where, inside = LinearNDInterpolator(rest, pose), triangle_finder(rest, cells)
         low, high = rest.min(0), rest.max(0)
-        for axis in (0, 1):  # lines of the material, a grid at rest
+        for axis in (0, 1):  # material lines, which form a grid at rest
             for value in np.arange(low[axis] + spacing, high[axis] - 1e-9, spacing):
                 p = np.zeros((400, 2))
                 p[:, axis], p[:, 1 - axis] = value, np.linspace(low[1 - axis], high[1 - axis], 400)
@@ -104,7 +104,7 @@ def borders(cells):
 
 
 def triangle_finder(points, cells):
-    """Whether places lie in a mesh: even and odd crossings of its borders."""
+    """Returns a function that tells whether points are inside a mesh, by the parity of crossings with its boundary."""
     rings = [points[ring] for ring in borders(cells)]
 
     def inside(p):
@@ -119,7 +119,7 @@ def triangle_finder(points, cells):
 
 
 def sheet(rows, name, size):
-    """Panels in rows, each with a line of text under it."""
+    """Writes panels in rows, each with a caption below it, as a PNG."""
     width, height = size[0] * max(map(len, rows)), (size[1] + 26) * len(rows)
     svg = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="DejaVu Sans" font-size="13">',
            f'<rect width="100%" height="100%" fill="{PAPER}"/>']
@@ -229,7 +229,7 @@ def claims(table):
 
 
 def soft():
-    """How far the original AKVF code leaves handles from their places: see scripts/comparison."""
+    """Returns the table of how far the original AKVF code leaves handles from their positions; see scripts/comparison."""
     cases = json.loads((HERE.parent / "comparison/others.json").read_text())["cases"]
     lines = ["| case | weight | handles off by | of length 4 |", "| --- | --- | --- | --- |"]
     for name in ("strip_5k_bend90", "strip_5k_bend180", "strip_5k_stretch"):

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""How time and memory grow with the number of vertices of a solid: the tables of docs/scale.md.
+"""Measures how time and memory grow with the number of vertices of a solid, for the tables of docs/scale.md.
 
     scripts/scale/run.py [--energies] [--solver NAME] [--wend FILE] [--folder FOLDER] VERTICES …
 
-A bar 4 : 1 : 1 of jittered cubes, six tetrahedra in each, is held at one end; the other turns by 90°, with a tolerance of 10⁻³. Prints
-a row of the table for every number of vertices (about), with --energies one for every energy. Meshes and projects stay in FOLDER.
+A bar of 4 : 1 : 1, made of jittered cubes of six tetrahedra each, is held at one end and rotated by 90° at the other,
+with a tolerance of 10⁻³. Prints a row of the table for every number of vertices (approximately), with --energies one for
+every energy. Meshes and projects stay in FOLDER.
 """
 import argparse
 import itertools
@@ -18,12 +19,12 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 ENERGIES = ["equia", "metr", "akvf", "conf"]
-# A cube along the paths from one corner to the opposite one.
+# The orders of the axes along the paths from one corner of a cube to the opposite one; each path is a tetrahedron.
 PATHS = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)]
 
 
 def write_bar(path, n):
-    """A bar of 4n by n by n cubes; points move by up to 0.15 of an edge, those of a face within it."""
+    """Writes a bar of 4n by n by n cubes. Points are moved by up to 0.15 of an edge; points of a face stay in it."""
     count = (4 * n + 1, n + 1, n + 1)
     stride = (count[1] * count[2], count[2], 1)
     generator = random.Random(1)
@@ -57,7 +58,7 @@ def write_project(path, mesh, energy):
 
 
 def run(wend, project, report, solver):
-    """Exit code, CPU seconds, seconds and peak bytes of a run in a process of its own."""
+    """Runs wend in a separate process and returns the exit code, CPU seconds, elapsed seconds and peak bytes."""
     start = time.monotonic()
     child = os.posix_spawn(wend, [str(wend), "run", str(project), "--quiet", "--solver", solver, "--report", str(report)], os.environ)
     _, status, usage = os.wait4(child, 0)

@@ -1,14 +1,15 @@
 #!/usr/bin/python3
-"""What two changes of the discretization would give on the triangulations of run.py; needs python3-scipy.
+"""Measures what two changes of the discretization would achieve on the triangulations of run.py; needs python3-scipy.
 
     scripts/tessellation/levers.py
 
-Not the program's code: the energy of docs/method.md, sections 2 to 5, in the plane with one φ, put together anew. It compares the
-velocities at rest, as run.py does the displacements, and prints tables for page.md. The changes:
+The script does not use the program's code: it assembles the energy of docs/method.md, sections 2 to 5, anew, in the plane
+with one φ. It compares the velocities at rest, as run.py compares the displacements, and prints tables for page.md. The
+changes:
 
-trace   a facet's weight in (10) times the mean, over its two vertices, of how much too small the jumps' energy of quadratic fields is in a
-        vertex's patch: the sum over a basis of them, interpolated linearly, against that of equilateral triangles.
-nodal   the divergence in (3) as the mean over the cells around each vertex, where its weight is positive.
+trace   multiplies a facet's weight in (10) by the factor, averaged over its two vertices, by which the jumps' energy of quadratic fields is
+        too small in a vertex's patch: the sum over a basis of these fields, interpolated linearly, compared with equilateral triangles.
+nodal   averages the divergence in (3) over the cells around each vertex, if its weight is positive.
 """
 import math
 
@@ -24,7 +25,7 @@ SMOOTHING = math.hypot(run.WIDTH, run.HEIGHT) / 75
 
 
 class Mesh:
-    """Areas, the operators from nodal velocities (x0 y0 x1 …) to strains and divergence, and the interior facets."""
+    """A triangle mesh with areas, the operators from nodal velocities (x0 y0 x1 …) to strains and divergence, and the interior facets."""
 
     def __init__(self, points, cells):
         edges = points[cells[:, 1:]] - points[cells[:, :1]]
@@ -50,11 +51,11 @@ class Mesh:
         self.jump = sp.csr_matrix((np.repeat([1.0, -1.0], len(inner)), (np.tile(n, 2), np.concatenate([j, i]))), (len(inner), len(cells)))
 
     def jumps(self, wq, wr):
-        """Rows whose squares, summed with these weights, are q of the jumps (11)."""
+        """Returns weights and operators; the weighted sum of the squares of their rows is q of the jumps (11)."""
         return [(wq, self.jump @ s) for s in self.strains] + ([(wr, self.jump @ self.divergence)] if wr < 0 else [])
 
     def trace(self, wq, wr):
-        """For every vertex the jumps' energy of quadratic fields in its patch, for its area."""
+        """Returns for every vertex the jumps' energy of quadratic fields in its patch, divided by its area."""
         x, y = self.points.T
         fields = np.zeros((6, len(x), 2))
         for k, f in enumerate((x * x / 2, y * y / 2, x * y / math.sqrt(2))):
@@ -92,7 +93,7 @@ def energy_matrix(mesh, phi, levers):
     weights = SMOOTHING ** 2 * mesh.ratio
     if "trace" in levers:
         ideal, at = IDEAL
-        patches = np.maximum(mesh.trace(wq, wr), 1e-300)  # a corner may have no facet
+        patches = np.maximum(mesh.trace(wq, wr), 1e-300)  # a corner may have no interior facet
         weights = weights * (ideal.trace(wq, wr)[at] / patches)[mesh.facets].mean(1)
     return A + sum(square(w * weights, op) for w, op in mesh.jumps(wq, wr))
 

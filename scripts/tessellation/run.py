@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""How much the result depends on how a shape is cut into triangles; writes docs/tessellation.md. Needs python3-scipy.
+"""Measures how much the result depends on the triangulation of a shape and writes docs/tessellation.md. Needs python3-scipy.
 
     scripts/tessellation/run.py [WEND]          (build/release/wend)
 
-A strip of 2 by 1, held at its left end, is pulled at one vertex or at all vertices in a circle. The displacements are
-compared at the same places of the shape, away from the handle, with those of the finest mesh, in per cent of the pull.
+A strip of 2 by 1, held at its left end, is pulled at one vertex or at all vertices in a circle. The displacements at
+fixed positions of the shape, away from the handle, are compared with those of the finest mesh, in per cent of the pull.
 """
 import json
 import os
@@ -48,10 +48,10 @@ def delaunay(points):
 
 
 def irregular(h, random):
-    """Points that push each other away for a while, so that angles are those of a mesher, not of a lattice."""
+    """Returns a mesh of points that are evened out for some rounds, so that its angles are like those of a mesher, not of a lattice."""
     points = random.uniform((0, 0), (WIDTH, HEIGHT), (round(WIDTH * HEIGHT / h ** 2 * 1.15), 2))
     edge = border(h)
-    for _ in range(30):  # Lloyd's way, with the cells' means in place of Voronoi cells'
+    for _ in range(30):  # Lloyd's algorithm, with the means of the triangles' centres instead of the centres of Voronoi cells
         p, cells = delaunay(np.vstack([points, edge]))
         sums, count = np.zeros_like(p), np.zeros(len(p))
         for k in range(3):
@@ -62,14 +62,14 @@ def irregular(h, random):
 
 
 def graded(h, random):
-    """Three times as fine at the left as at the right."""
+    """Returns a mesh that is three times as fine at the left as at the right."""
     u = np.vstack([irregular(h, random)[0]])
     x = u[:, 0] / WIDTH
     return delaunay(np.column_stack([WIDTH * (x + x * x) / 2, u[:, 1]]))
 
 
 def grid(n, pick):
-    """Squares cut in two: pick(i, j) says along which diagonal; 4 parts with None."""
+    """Returns squares that are split along the diagonal selected by pick(i, j), or into four triangles if it returns None."""
     nx, ny = 2 * n, n
     p = np.array([(WIDTH * i / nx, HEIGHT * j / ny) for j in range(ny + 1) for i in range(nx + 1)])
     at = lambda i, j: j * (nx + 1) + i
@@ -88,7 +88,7 @@ def grid(n, pick):
 
 
 def obtuse(h):
-    """Rows of flat triangles: all angles at their tips are of 110 degrees; half ones close the rows."""
+    """Returns rows of flat triangles with angles of 110 degrees at their tips; half triangles close the rows."""
     a = 1.75 * h
     nx, ny = round(WIDTH / a), round(HEIGHT / (0.35 * a) / 4) * 4
     rows = []
@@ -124,7 +124,7 @@ def tessellations():
 
 
 def with_vertex(points, cells):
-    """The vertex next to the handle's place moves there, which changes a mesh that was not made for it."""
+    """Returns the mesh with the vertex nearest to HANDLE moved there, which changes a mesh that was not made for it."""
     off, at = cKDTree(points).query(HANDLE)
     if off < 1e-12:
         return points, cells

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""make.py FOLDER [API [MODULE]]: writes the manual as a website that needs no server: the pages of docs/ with their
-pictures, the notebooks, a search, and the reference of the library where scripts/api-reference.sh has put it (API, its
-folder html). With MODULE, the folder of the Python module, notebooks are run and show their results, which needs
-Matplotlib. Fails on a link that leads nowhere. Needs python3-markdown."""
+"""make.py FOLDER [API [MODULE]]: writes the manual as a website that needs no server.
+
+The website has the pages of docs/ with their pictures, the notebooks and a search. With API, the folder html that
+scripts/api-reference.sh has made, it also has the reference of the library. With MODULE, the folder of the Python module,
+the notebooks are run and show their results, which needs Matplotlib. Fails on a broken link. Needs python3-markdown."""
 
 import html
 import html.parser
@@ -24,12 +25,12 @@ notebooks = os.path.normpath(os.path.join(here, "../../examples/notebooks"))
 
 
 def slug(title, separator="-"):
-    """The anchor of a heading, as the pages' links name it."""
+    """Returns the anchor of a heading, as the pages' links name it."""
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", separator)
 
 
 def page_names():
-    """The manual first, then the pages in the order of its list, then all others."""
+    """Returns the manual first, then the pages in the order of its list, then all others."""
     with open(os.path.join(docs, "manual.md")) as file:
         listed = re.findall(r"\]\(([\w-]+\.md)\)", file.read())
     others = sorted(name for name in os.listdir(docs) if name.endswith(".md"))
@@ -41,7 +42,7 @@ def web_name(name):
 
 
 def target(link):
-    """Where a link of a page leads on the website; None for what is in the sources only."""
+    """Returns the address on the website of a link in a page, or None if it leads to a file that is only in the sources."""
     parts = urllib.parse.urlsplit(link)
     if parts.scheme or not parts.path:
         return link
@@ -52,7 +53,7 @@ def target(link):
 
 
 class Page:
-    """A page of its own name, converted from Markdown."""
+    """A page of the website, converted from Markdown."""
 
     def __init__(self, name, text):
         converter = markdown.Markdown(extensions=["tables", "fenced_code", "toc", "sane_lists"],
@@ -69,12 +70,12 @@ class Page:
         return match[2] if address is None else f'<a href="{html.escape(address)}">{match[2]}</a>'
 
     def picture(self, match):
-        """One from elsewhere in the sources is copied to the others."""
+        """Returns the new address of a picture from elsewhere in the sources and notes the file, which is copied to the others."""
         self.pictures.append(os.path.join(docs, match[1]))
         return f'src="pictures/{os.path.basename(match[1])}"'
 
     def sections(self):
-        """What is searched: a piece of the page for each heading."""
+        """Yields the entries of the search: one section of the page for each heading."""
         pieces = re.split(r'<h[1-3] id="([^"]*)">(.*?)</h[1-3]>', self.body, flags=re.S)
         for anchor, title, text in zip(pieces[1::3], pieces[2::3], pieces[3::3]):
             plain = html.unescape(re.sub(r"\s+", " ", re.sub("<.*?>", " ", text))).strip()
@@ -119,7 +120,7 @@ def written(page, pages, api):
 
 
 class Links(html.parser.HTMLParser):
-    """The links of a page and the anchors that it has."""
+    """The links and the anchors of a page."""
 
     def __init__(self, text):
         super().__init__()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Notebooks as pages: their texts and their code, and, where it can be run, what it prints and draws."""
+"""Converts notebooks to pages with their texts and code and, where the code can be run, its output and figures."""
 
 import contextlib
 import io
@@ -8,8 +8,8 @@ import os
 
 
 def text_of(path, pictures, runs):
-    """Returns a notebook as Markdown. With `runs`, each cell is run in the order of the notebook, which needs the module
-    `wend` and Matplotlib; figures are written into the folder `pictures`."""
+    """Returns a notebook as Markdown. With `runs`, the cells are run in order, which needs the module `wend` and
+    Matplotlib; figures are written into the folder `pictures`."""
     with open(path) as file:
         cells = json.load(file)["cells"]
     stem, names, parts = os.path.splitext(os.path.basename(path))[0], {"__name__": "__main__"}, []
@@ -25,7 +25,7 @@ def text_of(path, pictures, runs):
 
 
 def results(source, names, picture):
-    """Runs a cell and returns what it prints and draws as Markdown. Figures are written as PICTURE-K.png."""
+    """Runs a cell and returns its output and figures as Markdown. Figures are written as PICTURE-K.png."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
