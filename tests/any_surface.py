@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Bends every surface that some Debian packages bring by a right angle, and writes a table of how it went.
+"""Bends every surface of some Debian packages by a right angle and writes a table of the results.
 
     tests/any_surface.py build/release/wend [--folder DIR] [--table docs/any-surface.md] [--limit N]
 
-The packages are fetched with apt-get into DIR (kept for the next time) and unpacked there; nothing is
-installed. Every model gets two handles, at both ends of its longest side, that turn by 45° against each other,
-90° in all; 2,000 vertices are aimed at, one thread is used, and the result is exported as OBJ and read back
-here. Where the exact surface is too coarse to bend that far, a cage is asked for, as a user would."""
+The packages are fetched with apt-get into DIR (kept for the next time) and unpacked there; nothing is installed. Every
+model gets two handles, at both ends of its longest side, that rotate by 45° against each other, 90° in all. The mesh aims
+at 2,000 vertices, one thread is used, and the result is exported as OBJ and read back here. If the exact surface is too
+coarse to bend that far, a cage is requested, as a user would do."""
 import argparse
 import gzip
 import json
@@ -26,7 +26,7 @@ SECONDS = 300
 
 
 def fetch(folder):
-    """Models of all packages that there are, as paths."""
+    """Fetches the packages that are available and returns the paths of their models, without duplicates."""
     folder.mkdir(parents=True, exist_ok=True)
     for package in PACKAGES:
         place = folder / package
@@ -57,14 +57,14 @@ def fetch(folder):
 
 
 def project(model, low, high, cage):
-    """The middle line becomes a quarter of a circle: both ends turn by 45°, about the point that takes them
-    to where that ends."""
+    """Returns a project that bends the middle line to a quarter of a circle: both ends rotate by 45°, each about the
+    point that takes it to the end of this arc."""
     size = [h - l for l, h in zip(low, high)]
     axis = size.index(max(size))
     across, around = (axis + 1) % 3, (axis + 2) % 3
     half, angle = size[axis] / 2, math.pi / 4
     radius = half / angle
-    # From (0, half) to the circle's end, in the plane of the bend; the point stays where it is.
+    # The rotation takes (0, half) to the end of the arc, in the plane of the bend; the pivot is its fixed point.
     x, y = radius * (1 - math.cos(angle)), radius * math.sin(angle)
     x, y = x - half * math.sin(angle), y - half * math.cos(angle)
     c, s = 1 - math.cos(angle), math.sin(angle)
@@ -81,7 +81,7 @@ def project(model, low, high, cage):
         centre = [(l + h) / 2 for l, h in zip(low, high)]
         centre[across] += pivot[0]
         centre[axis] += side * pivot[1]
-        # About the third axis the first one turns towards the second, which the ends bend to.
+        # A rotation about the third axis takes the first axis towards the second, the direction of the bend.
         turn = {"kind": "rotate", "centre": centre, "axis": [float(k == around) for k in range(3)],
                 "angle": side * angle}
         parts.append({"at": {"region": {"box": {"min": box_low, "max": box_high}}}, "motion": [turn]})
@@ -101,7 +101,7 @@ def call(arguments, folder):
 
 
 def run(wend, model, low, high, cage, folder):
-    """Exit code, last line of what went wrong, seconds."""
+    """Runs a project and returns the exit code, the last line of the error message and the seconds."""
     (folder / "bend.wend").write_text(json.dumps(project(model, low, high, cage)))
     for old in ("bent.obj", "report.json"):
         (folder / old).unlink(missing_ok=True)
@@ -112,13 +112,13 @@ def run(wend, model, low, high, cage, folder):
 
 
 def exported(path, vertices):
-    """Whether the OBJ file has as many finite vertices as the model."""
+    """Returns whether the OBJ file has as many finite vertices as the model."""
     places = [line.split()[1:4] for line in open(path) if line.startswith("v ")]
     return len(places) == vertices and all(math.isfinite(float(x)) for place in places for x in place)
 
 
 def bend(wend, model, folder):
-    """(row of the table, kind of the result)."""
+    """Returns a row of the table and the kind of the result, or None for a file without a surface."""
     code, out, error = call([wend, "info", model, "--json"], folder)
     if code != 0:
         return [model.name, "", "", "", "", error.strip().split(": ", 2)[-1]], "unreadable"
@@ -130,7 +130,7 @@ def bend(wend, model, folder):
     if flat:
         points = [[float(x) for x in line.split()[:3]] for line in open(model, errors="replace")
                   if len(line.split()) >= 3 and line.split()[0].lstrip("-").replace(".", "", 1).isdigit() and "." in line]
-        points = points[:info["vertices"]]  # colours of cells look alike
+        points = points[:info["vertices"]]  # drops lines of coloured cells, which look like points
         if not points:
             return None
         low = [min(p[k] for p in points) for k in range(3)]

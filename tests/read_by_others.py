@@ -1,12 +1,14 @@
 #!/usr/bin/python3
-"""Has other programs read what Wend writes: every mesh format, version and encoding, with and without values
-and border, of a mesh in the plane, of tetrahedra and of a filled surface. Compares points, cells, values and
-groups. Then sends a vocabulary of cells and groups through every pair of formats. Needs meshio, VTK, h5py, netCDF4
-and gmsh (Debian: python3-meshio python3-vtk9 python3-h5py python3-netcdf4 gmsh); not part of ./test.
+"""Checks that other programs read the files that Wend writes: every mesh format, version and encoding, with and without
+values and border, for a mesh in the plane, tetrahedra and a filled surface.
+
+Compares points, cells, values and groups. Then converts a vocabulary of cells and groups between every pair of formats.
+Needs meshio, VTK, h5py, netCDF4 and gmsh (Debian: python3-meshio python3-vtk9 python3-h5py python3-netcdf4 gmsh); not
+part of ./test.
 
     tests/read_by_others.py [WEND]        (build/release/wend)
 
-One line for each file; ends with 1 if anything differs.
+Prints one line for each file and exits with 1 if anything differs.
 """
 import contextlib
 import io
@@ -36,7 +38,7 @@ class Mesh:
     def __init__(self, points, cells, point_data, cell_data, groups=None):
         self.points = np.asarray(points, float)
         self.cells, self.point_data, self.cell_data = cells, point_data, cell_data
-        self.groups = groups  # corners → list of names, one per cell; None: the format has none
+        self.groups = groups  # corners → list of names, one per cell; None if the format has no groups
 
 
 def rows(values, count):
@@ -44,7 +46,7 @@ def rows(values, count):
 
 
 def truth(path):
-    """A .vtu in text, read as plain XML."""
+    """Returns the mesh of a .vtu in text, read as plain XML."""
     arrays = {"Points": {}, "Cells": {}, "PointData": {}, "CellData": {}}
     for part in xml.parse(path).getroot().iter():
         if part.tag in arrays:
@@ -72,7 +74,7 @@ def by_meshio(path):
     cells, data, groups = {}, {}, {}
     for k, block in enumerate(mesh.cells):
         n = {name: n for n, name in CORNERS.items()}[block.type]
-        corners = block.data[:, [0, 1, 3, 2]] if n == 4 and path.suffix == ".avs" else block.data  # as VTK has them
+        corners = block.data[:, [0, 1, 3, 2]] if n == 4 and path.suffix == ".avs" else block.data  # VTK's order
         cells.setdefault(n, []).append(corners)
         of = data.setdefault(n, {})
         for name, values in mesh.cell_data.items():
@@ -117,14 +119,14 @@ def by_vtk(path):
 
 
 def by_gmsh(path):
-    """Gmsh reads the file and writes it again, which meshio then reads."""
+    """Returns the mesh that meshio reads from a copy of the file that Gmsh has read and written again."""
     copy = path.with_name(path.stem + "-gmsh.msh")
     done = subprocess.run(["gmsh", str(path), "-save", "-format", "msh41", "-o", str(copy)],
                           capture_output=True, text=True)
     said = done.stdout + done.stderr
     assert done.returncode == 0 and "Error" not in said and "Warning" not in said, said
     mesh = by_meshio(copy)
-    mesh.point_data, mesh.cell_data = {}, {n: {} for n in mesh.cells}  # Gmsh writes views elsewhere
+    mesh.point_data, mesh.cell_data = {}, {n: {} for n in mesh.cells}  # Gmsh writes values to other files
     return mesh
 
 
@@ -134,7 +136,7 @@ def same(a, b, what, tolerance=0):
 
 
 def widened(values):
-    """What the plane has, as Gmsh draws it."""
+    """Returns planar vectors and matrices padded with zeros to three dimensions, as Gmsh draws them."""
     n = values.shape[1]
     if n == 4:
         values = np.pad(values.reshape(-1, 2, 2), ((0, 0), (0, 1), (0, 1))).reshape(-1, 9)
@@ -150,7 +152,7 @@ def sorted_mesh(mesh):
 
 
 def compare(found, wanted, values, border, groups, reader, rounding=0):
-    if reader is by_gmsh:  # which brings points and cells in the order of their entities
+    if reader is by_gmsh:  # Gmsh orders points and cells by their entities
         found, wanted = sorted_mesh(found), sorted_mesh(wanted)
     same(found.points, wanted.points, "points", 1e-15 if reader is by_gmsh else rounding)
     kinds = [n for n in wanted.cells if border or n == max(wanted.cells)]
@@ -195,16 +197,16 @@ def check(folder, project, wanted, options, file, readers, **what):
         try:
             compare(reader(folder / file), wanted, values=what["values"] and reader is not by_gmsh,
                     border=what["border"], groups=what["groups"] if file.endswith(".msh") else None, reader=reader,
-                    # VTK reads .avs in single precision; numbers of Abaqus have at most 20 letters.
+                    # VTK reads .avs in single precision; Abaqus numbers have at most 20 characters.
                     rounding=4e-7 if reader is by_vtk and file.endswith(".avs") else 1e-14 if file.endswith(".inp") else 0)
-        except Exception as error:  # a reader may fail in any way
+        except Exception as error:  # readers may raise any exception
             failures += 1
             result = f"FAILED: {str(error).strip()[:300]}"
         print(f"{label} {file:7} {reader.__name__[3:]:7} {result}")
 
 
 def grid(folder):
-    """A jittered strip of triangles, a block of tetrahedra, and its surface in two materials."""
+    """Writes a jittered strip of triangles, a block of tetrahedra, and the surface of the block in two materials."""
     random = np.random.default_rng(5)
     n = 6
     flat = np.array([(i, j, 0) for j in range(3) for i in range(n)], float)
@@ -251,7 +253,8 @@ def project(folder, name, domain, ends, region, move):
 
 
 def mixed(folder):
-    """Two hexahedra, two wedges and a pyramid in a row, with a quadrilateral, a line and numbers, as meshio writes them."""
+    """Writes two hexahedra, two wedges and a pyramid in a row, with a quadrilateral, a line and numbers, by meshio, and a
+    project of them."""
     points = np.array([[x, y, z] for x in range(4) for z in (0, 1) for y in (0, 1)] + [[3.7, 0.5, 0.5]], float)
     at = lambda x, y, z: 4 * x + 2 * z + y
     box = [at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)]
@@ -273,7 +276,8 @@ def mixed(folder):
 
 
 def by_kinds(path):
-    """What meshio finds of each kind of cell: nodes, and the number of each cell where the format has one."""
+    """Returns the points that meshio reads and, for each kind of cell, the nodes and the number of each cell, or -1 if
+    there are no numbers."""
     with contextlib.redirect_stdout(io.StringIO()):
         mesh = meshio.read(path, "avsucd" if path.suffix == ".avs" else None)
     names = {".msh": "gmsh:physical", ".mesh": "medit:ref", ".avs": "avsucd:material", ".bdf": "nastran:ref"}
@@ -287,15 +291,16 @@ def by_kinds(path):
 
 
 def whole(folder):
-    """Cells of every kind come out as they came in, whatever the format."""
+    """Checks that cells of every kind are written as they were read, in every format."""
     global failures
     mixed(folder)
     run(folder, "mixed.wend", "--mesh", "truth.vtu", "--fields", "none")
     points, kinds = by_kinds(folder / "truth.vtu")
     came = by_kinds(folder / "mixed.vtu")[1]
+    # The list lacks .inp, because this meshio cannot read Abaqus pyramids.
     for file, options in (("b.vtu", []), ("b.vtu", ["--encoding", "binary"]), ("b.vtk", []), ("b.vtk", ["--encoding", "binary"]),
                           ("b.msh", []), ("b.msh", ["--encoding", "binary"]), ("b.msh", ["--msh", "2.2"]),
-                          ("b.msh", ["--msh", "2.2", "--encoding", "binary"]), ("b.mesh", []), ("b.bdf", [])):  # this meshio knows no pyramids of Abaqus
+                          ("b.msh", ["--msh", "2.2", "--encoding", "binary"]), ("b.mesh", []), ("b.bdf", [])):
         label = f"{'mixed.wend':14} {' '.join(options):44} {file:7} meshio "
         try:
             run(folder, "mixed.wend", "--mesh", file, "--fields", "none", *options)
@@ -307,7 +312,7 @@ def whole(folder):
                 if (got[kind][1] != -1).all():
                     same(got[kind][1], numbers, f"numbers of {kind}")
             print(label, "ok")
-        except Exception as error:  # a reader may fail in any way
+        except Exception as error:  # readers may raise any exception
             failures += 1
             print(label, f"FAILED: {str(error).strip()[:300]}")
 
@@ -323,15 +328,15 @@ $PhysicalNames
 1 31 "wall"
 $EndPhysicalNames
 """
-# What a format holds: cells of space, polygons of four corners, lines; names of groups, of surfaces alone or all.
+# The contents that each format can hold: s solids, h solids other than tetrahedra, q quadrilaterals, l lines, n names of groups.
 TARGETS = {".msh": "shqln", ".inp": "shqln", ".med": "shqln", ".cgns": "shqln", ".exo": "shqln", ".xdmf": "shqln",
            ".bdf": "shql", ".mesh": "shql", ".avs": "shql", ".vtu": "shql", ".vtk": "shql", ".node": "sl",
            ".vtp": "ql", ".ply": "ql", ".off": "ql", ".obj": "qln", ".stl": "n"}
 
 
 def vocabulary(folder, solid):
-    """Two hexahedra, two wedges and a pyramid with a quadrilateral and a line at them, in named groups; or the faces
-    of two of these hexahedra."""
+    """Writes two hexahedra, two wedges and a pyramid with a quadrilateral and a line, in named groups, or, unless
+    `solid`, the faces of one of these hexahedra with a line."""
     points = [(x, y, z) for x in range(4) for z in (0, 1) for y in (0, 1)] + [(3.7, 0.5, 0.5)]
     at = lambda x, y, z: 4 * x + 2 * z + y
     box = [at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)]
@@ -357,7 +362,8 @@ def places(points, nodes):
 
 
 def found_by_vtk(path):
-    """All cells of a file by the places of their corners, and the names of its groups where VTK tells them."""
+    """Returns all cells of a file as sets of the positions of their corners, and the names of its groups, or None if VTK
+    does not report them."""
     reader = {".cgns": vtk.vtkCGNSReader, ".exo": vtk.vtkExodusIIReader, ".vtp": vtk.vtkXMLPolyDataReader,
               ".obj": vtk.vtkOBJReader, ".ply": vtk.vtkPLYReader, **VTK_READERS}[path.suffix]()
     errors, names, grids = [], None, []
@@ -374,7 +380,7 @@ def found_by_vtk(path):
         names = {reader.GetObjectName(kind, k).split(" ID:")[0].removeprefix("Unnamed block").strip()
                  for kind in (reader.ELEM_BLOCK, reader.SIDE_SET) for k in range(reader.GetNumberOfObjects(kind))}
     reader.Update()
-    # VTK takes lines beside cells of space for such cells, and misses their values in CGNS files.
+    # In CGNS files VTK takes lines beside solid cells for solid cells, and complains that they have no values.
     assert not errors or path.suffix == ".cgns", "VTK reports an error"
     output = reader.GetOutputDataObject(0)
     if output.IsA("vtkMultiBlockDataSet"):
@@ -395,7 +401,7 @@ def found_by_vtk(path):
 
 
 def found_by_meshio(path):
-    if path.suffix == ".inp":  # this meshio knows no pyramids of Abaqus: they become lines that are left out
+    if path.suffix == ".inp":  # this meshio cannot read Abaqus pyramids; they are replaced by lines, which are ignored
         blocks = path.read_text().split("*ELEMENT, ")
         path.write_text("*ELEMENT, ".join(
             block if not block.startswith("TYPE=C3D5") else "TYPE=T3D2\n" + re.sub(r"(?m)^(\d+, \d+, \d+),.*$", r"\1", block.split("\n", 1)[1])
@@ -417,7 +423,7 @@ def found_by_meshio(path):
 def found(path):
     if path.suffix in (".vtu", ".vtk", ".vtp", ".avs", ".cgns", ".exo", ".obj", ".ply"):
         return found_by_vtk(path)
-    if path.suffix == ".off":  # few programs read more than triangles
+    if path.suffix == ".off":  # few programs read polygons other than triangles
         lines = [line.split() for line in path.read_text().splitlines() if line.strip()]
         count = int(lines[1][0])
         points = np.array(lines[2:2 + count], float)
@@ -426,7 +432,7 @@ def found(path):
 
 
 def matrix(folder, solid):
-    """Every format into every other: cells that both hold, and names of groups, arrive."""
+    """Converts every format into every other and checks that the cells that both hold, and the names of groups, are kept."""
     global failures
     vocabulary(folder, solid)
     done = subprocess.run([WEND, "convert", "vocabulary.msh", "a.vtu"], cwd=folder, capture_output=True, text=True)
@@ -450,9 +456,9 @@ def matrix(folder, solid):
                 holds = set(TARGETS[source]) & set(TARGETS[target])
                 for cell in everything:
                     whole = ("l" in holds if len(cell) == 2 else len(cell) == 3 or "q" in holds and (len(cell) == 4 or "h" in holds))
-                    if target == ".inp" and len(cell) == 5:  # this meshio knows no pyramids of Abaqus
+                    if target == ".inp" and len(cell) == 5:  # this meshio cannot read Abaqus pyramids
                         continue
-                    if target in (".cgns", ".ply") and len(cell) == 2:  # VTK reads no lines of these
+                    if target in (".cgns", ".ply") and len(cell) == 2:  # VTK reads no lines in these formats
                         continue
                     if whole and target != ".node":
                         assert cell in cells, f"a cell of {len(cell)} nodes is missing"
@@ -460,7 +466,7 @@ def matrix(folder, solid):
                     wanted = {"steel core", "rubber part", "fixed end", "wall"} if solid else {"fixed end"} | ({"wall"} if "l" in holds else set())
                     wanted = {n.replace(" ", "_") for n in wanted} if ".obj" in (source, target) else wanted
                     assert wanted <= names, f"names {sorted(names)}"
-            except (Exception, SystemExit) as error:  # meshio leaves the program
+            except (Exception, SystemExit) as error:  # meshio may exit the program
                 failures += 1
                 result = "FAILED"
                 print(f"{source} to {target}: {str(error).strip()[:200]}", file=sys.stderr)
@@ -496,14 +502,14 @@ def main():
                     continue
                 check(folder, which, wanted, options + code, "a.vtk", [by_vtk], border=asked or flat, **what)
                 for version in ("4.1", "2.2"):
-                    two_kinds = values and version == "2.2"  # which this meshio takes no values on
+                    two_kinds = values and version == "2.2"  # this meshio reads no values of two kinds of cells
                     readers = [by_gmsh] if two_kinds and asked else [by_meshio, by_gmsh]
                     check(folder, which, wanted, options + code + ["--msh", version], "a.msh", readers,
                           border=asked or flat or (made and not two_kinds), **what)
-            # This meshio reads no values beside two kinds of cells.
+            # This meshio reads no values of files with two kinds of cells.
             check(folder, which, wanted, options, "a.avs", [by_vtk] if asked else [by_vtk, by_meshio],
                   border=asked or flat, **what)
-            what["values"] = False  # the format has none
+            what["values"] = False  # the next formats have none
             check(folder, which, wanted, options, "a.mesh", [by_meshio], border=asked or flat or made, **what)
             check(folder, which, wanted, options, "a.inp", [by_meshio], border=asked or flat or made, **what)
         whole(folder)

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""blender -b --factory-startup --python-exit-code 1 --python in_blender.py -- ADDON [PICTURE]: a bar bends by two
-empties, one of which turns and travels. What lies in their spheres goes where they go; a picture shows it."""
+"""Bends a bar in Blender by two empties, one of which rotates and moves, and checks that the vertices in their spheres follow them.
+
+Usage: blender -b --factory-startup --python-exit-code 1 --python in_blender.py -- ADDON [PICTURE]
+
+With PICTURE, renders the result."""
 
 import math
 import sys
@@ -20,7 +23,7 @@ def scene_of_bar():
     bpy.ops.mesh.primitive_grid_add(x_subdivisions=40, y_subdivisions=5)
     bar = bpy.context.active_object
     bar.scale = (3, 0.4, 1)
-    bar.rotation_euler = (0.2, 0.1, 0.3)  # its own coordinates are not the world's
+    bar.rotation_euler = (0.2, 0.1, 0.3)  # so that local and world coordinates differ
     solid = bar.modifiers.new("thick", "SOLIDIFY")
     solid.thickness = 0.6
     bpy.ops.object.modifier_apply(modifier="thick")

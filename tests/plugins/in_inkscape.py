@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""in_inkscape.py WEND PLUGIN_FOLDER SAMPLES [PICTURE]: Inkscape bends shapes with the sample strip.wend. What comes
-out, mapped back by `wend run --points --inverse`, lies on the shapes that went in."""
+"""Bends shapes in Inkscape with the sample strip.wend and checks that the results,
+mapped back by `wend run --points --inverse`, are on the original shapes.
+
+Usage: in_inkscape.py WEND PLUGIN_FOLDER SAMPLES [PICTURE]"""
 
 import math
 import os
@@ -16,7 +18,7 @@ import inkex
 wend, plugin, samples = (os.path.abspath(one) for one in sys.argv[1:4])
 project = os.path.join(samples, "strip.wend")
 PRECISION = 0.05
-UNIT = 5  # pixels of the picture per unit of the drawing, which is as large as the picture
+UNIT = 5  # pixels of the picture per unit of the drawing, which has the same extent
 
 
 def star(x, y, r):
@@ -54,7 +56,7 @@ def bend(folder, source, result, ids):
 
 
 def curves(element):
-    """The cubics of a shape in the drawing, as tuples of four complex numbers; None between subpaths."""
+    """Returns the cubics of a shape in the drawing as tuples of four complex numbers, with None between subpaths."""
     path = element.path.to_absolute().transform(element.composed_transform())
     result = []
     for piece in path.proxy_iterator():
@@ -91,7 +93,7 @@ def at_rest(folder, points):
 
 
 def turns(chain):
-    """The angles at the nodes of open chains."""
+    """Yields the angles at the nodes of open chains."""
     for before, after in zip(chain, chain[1:]):
         if before and after:
             a, b = before[3] - before[2], after[1] - after[0]
@@ -113,7 +115,7 @@ with tempfile.TemporaryDirectory() as folder:
         back = at_rest(folder, list(sampled(curves(new), 6)))
         worst = max(min(abs(p - q) for q in rest) for p in back)
         moved = max(abs(p - q) for p, q in zip(back, sampled(curves(new), 6)))
-        # The precision is in the bent drawing, and the shape is stretched by some per cent; samples are 0.1 apart.
+        # The precision applies to the bent drawing, and the shape is stretched by some per cent; samples are 0.1 apart.
         assert worst < 2 * PRECISION + 0.1, (name, worst)
         assert name == "star0" or moved > 10, (name, moved)
         assert len(curves(new)) < 12 * len(curves(old)), (name, len(curves(new)))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""pvpython in_paraview.py PLUGIN PROJECT [PICTURE]: ParaView reads a project; its last step is what `wend run` writes."""
+"""Reads a project in ParaView and checks that its last step equals the output of `wend run`.
+
+Usage: pvpython in_paraview.py PLUGIN PROJECT [PICTURE]"""
 
 import os
 import subprocess
@@ -42,7 +44,7 @@ for name in ("greatest stretch", "least stretch", "measure ratio"):
 low, high, ratio = (np.asarray(last.CellData[name]) for name in ("least stretch", "greatest stretch", "measure ratio"))
 assert (low > 0).all() and (low <= high).all() and (ratio > 0).all() and (high > 1.001).any()
 
-# The ratio of the measures is that of the cells' own, as VTK measures them.
+# The measure ratio equals the ratio of the cell sizes that VTK computes.
 sizes = CellSize(Input=reader)
 sizes.UpdatePipeline(times[6])
 key = "Volume" if first.GetCellType(0) == 10 else "Area"

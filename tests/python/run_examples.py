@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Runs examples in Python, each in a folder of its own with the samples in it: every one of a page, or the cells of a
-notebook after one another.
+"""Runs Python examples, each in a separate folder that contains the samples: all examples of a page, or the cells of a notebook in order.
 
-usage: run_examples.py SAMPLES PAGE|NOTEBOOK…, with the folder of the module in PYTHONPATH. Ends with 77, which skips the
+usage: run_examples.py SAMPLES PAGE|NOTEBOOK…, with the folder of the module in PYTHONPATH. Exits with 77, which skips the
 test, if there are notebooks but no Matplotlib.
 """
 import importlib.util
@@ -26,7 +25,7 @@ def run(file, example, samples):
     with tempfile.TemporaryDirectory() as folder:
         for sample in samples.iterdir():
             (pathlib.Path(folder) / sample.name).symlink_to(sample)
-        # Debian's Matplotlib warns about NumPy's.
+        # Warnings are not errors in notebooks, because Debian's Matplotlib warns about NumPy.
         strict = [] if file.suffix == '.ipynb' else ['-W', 'error']
         done = subprocess.run([sys.executable, *strict, '-c', example], cwd=folder)
         if done.returncode != 0:

@@ -1,4 +1,4 @@
-"""The Python module against closed forms and against `wend run`.
+"""Tests the Python module against closed forms and against `wend run`.
 
 usage: test_wend.py WEND, with the folder of the module in PYTHONPATH.
 """
@@ -86,7 +86,7 @@ class FlowTest(unittest.TestCase):
         result = flow.run()
         self.assertEqual((result.ending, result.message, bool(result)), ('done', '', True))
         self.assertLess(np.abs(flow.points - points * (2, 1)).max(), 1e-6)
-        # σ = (2, 1): (2 − 1)² / 2 for angles and for areas.
+        # For the stretches σ = (2, 1), the errors of angles and of areas are both (2 − 1)² / 2.
         distortion = flow.distortion()
         self.assertEqual(distortion.angle.shape, (len(cells),))
         np.testing.assert_allclose(distortion.angle, 0.5, atol=1e-5)
@@ -218,7 +218,7 @@ class ThreadTest(unittest.TestCase):
         self.assertTrue(flow.run())
 
     def test_interpreter_is_free(self):
-        """Another thread counts while a flow runs, and sees that it does."""
+        """Checks that another thread runs while a flow does, and that the flow refuses its access."""
         flow, refused, running = bent_strip(method='rk4', steps=2000), [], threading.Event()
 
         def look():
@@ -232,7 +232,7 @@ class ThreadTest(unittest.TestCase):
         other = threading.Thread(target=look)
         other.start()
 
-        def wait(time):  # called within the run: the other thread looks meanwhile
+        def wait(time):  # called within the run, so that the other thread accesses the flow meanwhile
             running.set()
             flow_is_seen.wait()
         self.assertTrue(flow.run(progress=wait))
@@ -253,7 +253,7 @@ class ThreadTest(unittest.TestCase):
             self.assertEqual(flow.points.tobytes(), alone.points.tobytes())
 
     def test_interrupt(self):
-        """A signal while a run is under way, which without it would take hours."""
+        """Checks that a signal interrupts a run that would otherwise take hours."""
         flow, started = bent_strip(method='rk4', steps=20000000), threading.Event()
 
         def interrupt():
@@ -417,7 +417,7 @@ class MeshTest(InFolder):
 
 class StubTest(unittest.TestCase):
     def test_stubs_name_all(self):
-        """Every name and every argument of the module is in wend.pyi, and none that is not there."""
+        """Checks that wend.pyi has exactly the names and arguments of the module."""
         import ast
         stub = pathlib.Path(__file__).parents[2] / 'python' / 'wend.pyi'
         tree = ast.parse(stub.read_text())
@@ -458,7 +458,7 @@ class StubTest(unittest.TestCase):
 
     @staticmethod
     def documented(value):
-        """The names in the first line of a docstring of pybind11; of a property self alone."""
+        """Returns the argument names in the first line of a pybind11 docstring; for a property only 'self'."""
         if isinstance(value, property):
             return ['self']
         line = value.__doc__.splitlines()[0]

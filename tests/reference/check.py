@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Holds `wend run` to an independent computation: velocities, errors, size and rest energy of small random cases.
+"""Compares `wend run` with an independent computation: velocities, errors, size and rest energy of small random cases.
 
-usage: tests/reference/check.py [path of wend] [number of rounds]; needs python3-numpy. Exit code 1 if a case is off by more than 1e-8.
+usage: tests/reference/check.py [path of wend] [number of rounds]; needs python3-numpy.
+The exit code is 1 if a case is off by more than 1e-8.
 """
 import json
 import math
@@ -18,7 +19,7 @@ TOLERANCE = 1e-8
 
 
 def grid(dim, counts, random):
-    """A box of Kuhn's cells, its inner points moved, turned and scaled."""
+    """Returns a box of Kuhn simplices whose points are jittered, as a whole rotated, scaled and moved."""
     shape = [c + 1 for c in counts]
     x = np.stack(np.meshgrid(*[np.arange(s) for s in shape], indexing='ij'), -1).reshape(-1, dim).astype(float)
     x += random.uniform(-0.15, 0.15, x.shape)
@@ -56,7 +57,7 @@ def random_B(dim, random):
 
 
 def case(dim, kind, random):
-    """A project, and what the reference needs to know about it."""
+    """Returns a random project and the data about it that the reference computation needs."""
     x, cells = grid(dim, [6, 4] if dim == 2 else [3, 2, 2], random)
     phis = {'equia': math.atan(2 ** -9), 'metr': math.atan(0.5), 'akvf': math.pi / 2, 'conf': method.conformal(dim)}
     name = random.choice(list(phis))
@@ -72,7 +73,7 @@ def case(dim, kind, random):
     scale = method.size(x, cells)
     centroids = x[cells].mean(axis=1)
     if 'region' in kind:
-        # The disc and the half-space cover the cells whose centroids they hold; the later one wins.
+        # The disc and the half-space cover the cells whose centroids they contain; the later region wins.
         axis, ratio, radius = random.normal(size=dim), 12.0, 0.25 * scale
         centre, normal = x.mean(axis=0), random.normal(size=dim)
         material['regions'] = [
@@ -94,7 +95,7 @@ def case(dim, kind, random):
         material['smoothing'] = smoothing
     if 'memory' in kind:
         material['memory'] = 7.5
-    # Held: some vertices at one end. Turned: some at the other. Pulled: a point inside a cell in the middle.
+    # Some vertices at one end are held, some at the other are rotated, and a point inside a cell in the middle is pulled.
     order = np.argsort(x @ (x[-1] - x[0]))
     held, turned = order[:5].tolist(), order[-4:].tolist()
     free = [c for c in range(len(cells)) if not set(cells[c]) & set(held + turned)]

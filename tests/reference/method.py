@@ -1,4 +1,4 @@
-"""The method as docs/method.md and docs/energies.md write it, with dense matrices: slow, small, and with nothing of the program's code in it."""
+"""Implements the method of docs/method.md and docs/energies.md with dense matrices: slow, small, and without any of the program's code."""
 import math
 
 import numpy as np
@@ -15,7 +15,7 @@ def measures(x, cells):
 
 
 def size(x, cells):
-    """√(12 Tr C): C from the exact second moments of the simplices."""
+    """Returns √(12 Tr C), with C from the exact second moments of the simplices."""
     d = x.shape[1]
     V = np.abs(measures(x, cells))
     corners = x[cells]
@@ -26,14 +26,14 @@ def size(x, cells):
 
 
 def gradients(x, cells):
-    """Hat gradients, [cell, corner, axis]."""
+    """Returns the gradients of the hat functions, [cell, corner, axis]."""
     edges = x[cells[:, 1:]] - x[cells[:, :1]]  # rows are edges
     inner = np.linalg.inv(edges).transpose(0, 2, 1)
     return np.concatenate([-inner.sum(axis=1, keepdims=True), inner], axis=1)
 
 
 def maps(rest, x, cells):
-    """Deformation gradients F."""
+    """Returns the deformation gradients F."""
     return np.einsum('cka,ckb->cab', x[cells], gradients(rest, cells))
 
 
@@ -43,7 +43,7 @@ def rotation(F):
 
 
 def jacobian_operator(g, cell, n):
-    """J as a linear map of the nodal velocities: [a, b, vertex · d + a]."""
+    """Returns J as a linear map of the nodal velocities: [a, b, vertex · d + a]."""
     d = g.shape[1]
     op = np.zeros((d, d, n * d))
     for k, v in enumerate(cell):
@@ -53,7 +53,7 @@ def jacobian_operator(g, cell, n):
 
 
 def quadratic(op, wq, wr, B):
-    """w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)² as a matrix of the nodal velocities."""
+    """Returns w_q ‖S‖²_B + w_r (d / Tr B) (Tr BJ)² as a matrix of the nodal velocities."""
     d = B.shape[0]
     S = op + op.transpose(1, 0, 2)
     trace = np.einsum('ab,ban->n', B, op)
@@ -82,7 +82,7 @@ def facet_measure(x, facet):
 
 
 def energy_matrix(rest, x, cells, phi, B0, smoothing):
-    """E(v) = vᵀ A v, all in the frame where the rest shape has size 1."""
+    """Returns the A of E(v) = vᵀ A v, in coordinates where the rest shape has size 1."""
     n, d = x.shape
     V, G, F = np.abs(measures(x, cells)), gradients(x, cells), maps(rest, x, cells)
     R = rotation(F)
@@ -116,7 +116,7 @@ def rest_energy(rest, x, cells, phi, B0):
 
 
 def rest_gradient(rest, x, cells, phi, B0):
-    """By complex steps in every entry of F, which are exact to rounding."""
+    """Returns the gradient of the rest energy, by complex steps in every entry of F, which are exact to rounding."""
     V0, F, G0 = np.abs(measures(rest, cells)), maps(rest, x, cells), gradients(rest, cells)
     result = np.zeros_like(x)
     d = x.shape[1]
@@ -133,7 +133,7 @@ def rest_gradient(rest, x, cells, phi, B0):
 
 
 def velocity(A, load, rows, values):
-    """The v of least vᵀ A v + load · v under rows · v = values, by the Lagrange system."""
+    """Returns the v that minimizes vᵀ A v + load · v subject to rows · v = values, by the Lagrange system."""
     n, m = A.shape[0], len(rows)
     K = np.block([[2 * A, rows.T], [rows, np.zeros((m, m))]])
     scale = np.abs(A).max()
@@ -142,7 +142,7 @@ def velocity(A, load, rows, values):
 
 
 def distortion(rest, x, cells):
-    """F_angle, F_volume, F_metric."""
+    """Returns F_angle, F_volume and F_metric."""
     V0, d = np.abs(measures(rest, cells)), x.shape[1]
     s = np.linalg.svd(maps(rest, x, cells), compute_uv=False)
     J = s.prod(axis=1)

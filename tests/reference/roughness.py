@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How rough the outlines of a deformed triangle mesh are, in degrees; needs python3-numpy.
+"""Measures how rough the outlines of a deformed triangle mesh are, in degrees; needs python3-numpy.
 
 usage: tests/reference/roughness.py REST.obj POSE.obj
 
-The turning angle at every vertex of the boundary, less that at rest, less its mean over the five vertices around it (a bend that is smooth
-goes), root of the mean square over all boundary vertices.
+Takes the turning angle at every vertex of the boundary, subtracts that at rest and then the mean over the five vertices
+around it, which removes smooth bends, and prints the root of the mean square over all boundary vertices.
 """
 import sys
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints what a Photoshop file (PSD) of layers holds, read after Adobe's specification with nothing but Python.
+"""Prints the contents of a layered Photoshop file (PSD), read after Adobe's specification with Python's standard library.
 
 Any length that does not fit, and any byte that is left over, is an error.
 """
@@ -28,7 +28,7 @@ class Bytes:
 
 
 def unpacked(data, size):
-    """PackBits."""
+    """Returns a row unpacked by PackBits, and checks its size."""
     row, at = b"", 0
     while at < len(data):
         n = data[at]
@@ -47,7 +47,7 @@ def planes(data, count, width, height, size):
 
 
 def pixels(channels, size):
-    """Interleaved, in hexadecimal digits."""
+    """Returns the channels interleaved, in hexadecimal digits."""
     return b"".join(c[k:k + size] for k in range(0, len(channels[0]), size) for c in channels).hex()
 
 

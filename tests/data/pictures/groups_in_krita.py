@@ -1,5 +1,7 @@
-"""Writes groups.kra, groups.ora and groups.psd: run by `kritarunner -s groups_in_krita` of Krita 5.1.5 with PYTHONPATH at this folder, into the
-current one. The pictures of all layers are Krita's. Colour profiles and previews have been taken out of the archives afterwards.
+"""Writes groups.kra, groups.ora and groups.psd into the current folder.
+
+Run it by `kritarunner -s groups_in_krita` of Krita 5.1.5 with PYTHONPATH at this folder. Krita renders the pictures of
+all layers. Colour profiles and previews were removed from the archives afterwards.
 """
 import os
 

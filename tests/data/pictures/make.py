@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the layered pictures beside it with nothing but Python: OpenRaster, Krita, Photoshop and TIFF files of 8 x 6 pixels.
+"""Writes the layered pictures in this folder with Python's standard library: OpenRaster, Krita, Photoshop and TIFF files of 8 x 6 pixels.
 
-The picture of all layers has the pixel (20 x + 5, 40 y + 3, 7 x y, 255 - 30 x) at (x, y); layers.psb has none of its
-transparency. Krita 5.1.5 has written by_krita.kra: it is layers.ora, converted by `krita --export`. What Wend reads of
-them is in tests/warp/test_layered_files.cpp.
+The picture of all layers has the pixel (20 x + 5, 40 y + 3, 7 x y, 255 - 30 x) at (x, y); that of layers.psb has no
+transparency. Krita 5.1.5 has written by_krita.kra: it is layers.ora, converted by `krita --export`.
+tests/warp/test_layered_files.cpp states what Wend reads from the files.
 """
 import pathlib
 import struct
@@ -59,7 +59,7 @@ MAINDOC = """<?xml version="1.0" encoding="UTF-8"?>
 
 
 def lzf(data):
-    """Runs of one byte are references to the byte before, all others literals."""
+    """Returns the data compressed by LZF: runs of one byte become references to the byte before, all other bytes are literals."""
     packed, at, literal = b"", 0, b""
     while at < len(data):
         run = 0
@@ -78,7 +78,7 @@ def lzf(data):
 
 
 def tiles(boxes, pixel_bytes, sample):
-    """Krita's pixels: tiles of 4 x 3, every second one packed, with the bytes sorted by their place in a pixel."""
+    """Returns pixels in Krita's format: tiles of 4 x 3, every second one compressed, with the bytes sorted by their place in a pixel."""
     data = f"VERSION 2\nTILEWIDTH 4\nTILEHEIGHT 3\nPIXELSIZE {pixel_bytes}\nDATA {len(boxes)}\n".encode()
     for number, (left, top) in enumerate(boxes):
         pixels = [sample(left + x, top + y) for y in range(3) for x in range(4)]
@@ -90,7 +90,8 @@ def tiles(boxes, pixel_bytes, sample):
 
 
 def krita(name, kind, pack):
-    """Pixels are packed by `pack`; the layer "arm" is at (1, -1), left of and above its own origin by a tile."""
+    """Writes a Krita file whose pixels are encoded by `pack`. The layer "arm" is at (-2, -1): its tile is left of and
+    above its origin (2, 2)."""
     size = len(pack((0, 0, 0, 0)))
     whole = [(0, 0), (4, 0), (0, 3), (4, 3)]
     archive(name, "application/x-krita", [
@@ -104,12 +105,13 @@ def krita(name, kind, pack):
 
 
 def packed_row(row):
-    """PackBits: runs of literal bytes."""
+    """Returns a row packed by PackBits, as one run of literal bytes."""
     return bytes([len(row) - 1]) + row
 
 
 def psd(name, depth, large, transparent, group_is_masked=False):
-    """Three layers in a group, one of them or the group masked, whose pixels are packed as Photoshop packs them: runs for 8 bits, zip for 16."""
+    """Writes a Photoshop file of three layers in a group, in which one layer or the group is masked. Pixels are packed as
+    Photoshop packs them: runs for 8 bits, zip for 16."""
     size = ">Q" if large else ">I"
     scale = 257 if depth == 16 else 1
     sample = ">H" if depth == 16 else ">B"
@@ -133,7 +135,7 @@ def psd(name, depth, large, transparent, group_is_masked=False):
         name8 = label.encode("ascii", "replace")
         name8 = bytes([len(name8)]) + name8
         masked = b""
-        if mask:  # of 2 x 3 pixels at (1, 0), white elsewhere, of the numbers 51 x
+        if mask:  # 2 x 3 pixels at (1, 0) with the values 51 x, white elsewhere
             masked = struct.pack(">iiiiBBH", 0, 1, 3, 3, 255, 0, 0)
             pixels.append((-2, channel_data([b"".join(struct.pack(sample, scale * 51 * x) for x in range(2))] * 3)))
         extras = struct.pack(">I", len(masked)) + masked + struct.pack(">I", 0) + name8 + b"\0" * (-len(name8) % 4)
@@ -160,7 +162,7 @@ def psd(name, depth, large, transparent, group_is_masked=False):
     resources = b"8BIM" + struct.pack(">HHI", 1057, 0, len(version)) + version + b"\0" * (len(version) % 2)
 
     def over_white(channel, x, y):
-        """Photoshop keeps the picture of all layers over white where it is transparent."""
+        """Returns a channel of the picture of all layers, which Photoshop keeps over white where it is transparent."""
         colour, alpha = pixel(x, y)[channel], pixel(x, y)[3]
         return scale * colour if channel == 3 or not transparent else round(scale * (colour * alpha + 255 * (255 - alpha)) / 255)
 
@@ -172,7 +174,7 @@ def psd(name, depth, large, transparent, group_is_masked=False):
 
 
 def tiff(name, pages):
-    """Pages with names and places, in fractions of an inch of 300 pixels, as GIMP writes layers."""
+    """Writes pages with names and positions, in fractions of an inch of 300 pixels, as GIMP writes layers."""
     data = b"II*\0" + struct.pack("<I", 8)
     for number, (label, left, top, width, height) in enumerate(pages):
         begin = len(data)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes one tetrahedron as .vtu in every layout that VTK's file format document allows, from that document alone (struct, base64 and
-zlib; nothing of Wend's). `python3 make.py` makes the files beside it anew."""
+"""Writes one tetrahedron as .vtu in every layout that VTK's file format document allows, from that document alone
+(struct, base64 and zlib, without code of Wend). `python3 make.py` rewrites the files in this folder."""
 import base64
 import os
 import struct
@@ -22,13 +22,13 @@ def raw(order, code, numbers):
 
 
 def encoded(data, order, header, compressed, text, apart):
-    """Header and data of one array: in one piece of base64, or `apart` in two; compressed data always is."""
+    """Returns the header and data of one array, in one piece of base64 or, with `apart`, in two; compressed data always has two."""
     wrap = base64.b64encode if text else bytes
     word = HEADERS[header]
     if not compressed:
         size = raw(order, word, [len(data)])
         return wrap(size) + wrap(data) if apart else wrap(size + data)
-    block = 16  # bytes; small, so that there are several
+    block = 16  # bytes; small, so that there are several blocks
     parts = [zlib.compress(data[at:at + block]) for at in range(0, len(data), block)]
     numbers = [len(parts), block, len(data) % block] + [len(part) for part in parts]
     return wrap(raw(order, word, numbers)) + wrap(b"".join(parts))
