@@ -51,7 +51,6 @@ const ShapeMotion& DrawnShape::motion() const {
 }
 
 void DrawnShape::takeOpened() {
-    m_refine.stop();  // it would draw the new document without its picture
     m_picture = m_flat = nullptr;
     m_source = m_pictureOf = nullptr;
     m_unbent = nullptr;

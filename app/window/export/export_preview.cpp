@@ -42,6 +42,7 @@ QImage picturePreview(const FrameExport& shape, const ScreenPicture& picture, co
     const View view = smaller(viewOf(shape, request), request.room);
     if (view.scale != 1) options.restMargin = 0;  // in pixels of the picture in its own size
     QImage warped = picture.warped(shape.restInPixels(), shape.poseInPixels(), view, options);
+    if (warped.isNull()) return warped;  // stopped
     const std::string file = "picture" + request.extension;
     const FilmFormatFacts* film = request.kind == ExportKind::Film ? filmFormatOf(file) : nullptr;
     if (film ? film->alpha : holdsAlpha(file) || isLayeredFile(file) || isSvgFile(file)) return warped;

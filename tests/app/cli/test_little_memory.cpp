@@ -5,8 +5,11 @@
 #include <QRegularExpression>
 #include <QtTest>
 
+#include "core/base/input_file.h"
 #include "core/mesh/mesh_of_file.h"
 #include "tests/app/cli/cli_harness.h"
+#include "tests/support/address_limit.h"
+#include "warp/picture_library.h"
 
 class TestLittleMemory : public QObject {
     Q_OBJECT
@@ -16,6 +19,7 @@ class TestLittleMemory : public QObject {
     void runEndsWell();
     void threadsOfBlasTakeNothing();
     void memoryIsCheckedBeforeItIsAllocated();
+    void pictureLibraryNeedsRoom();
 
   private:
     CliResult runWithin(int megabytes, const QString& folder, const QString& project,
@@ -120,6 +124,13 @@ void TestLittleMemory::memoryIsCheckedBeforeItIsAllocated() {
         if (told) QVERIFY(match.captured(1).toInt() > 400);
     }
     QVERIFY(told);
+}
+
+/// A picture library that would just fit is refused: with a little less room, loading it would end the
+/// process.
+void TestLittleMemory::pictureLibraryNeedsRoom() {
+    const wend::test::AddressLimit limit(700);
+    QVERIFY_THROWS_EXCEPTION(wend::OutOfMemory, wend::pictureLibrary("o.png"));
 }
 
 CliResult TestLittleMemory::runWithin(int megabytes, const QString& folder, const QString& project,

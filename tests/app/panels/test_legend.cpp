@@ -140,6 +140,8 @@ void TestLegend::lock() {
     f.window().actions().showMap->setChecked(true);
     QVERIFY(button->isVisible());
     QVERIFY(view.rect().adjusted(view.width() / 2, view.height() / 2, 0, 0).contains(button->geometry()));
+    const auto fromCorner = [&] { return view.rect().bottomRight() - button->geometry().bottomRight(); };
+    const QPoint inCard = fromCorner();
     const auto rangeAt = [&](double time) {
         session.playback().setTime(time);
         [&] { QTRY_COMPARE(session.motion().frame()->time, time); }();
@@ -155,9 +157,11 @@ void TestLegend::lock() {
     QCOMPARE(panel.range().high, still);
     panel.keepRange().setChecked(true);
     QVERIFY(button->isChecked());
-    f.window().resize(1000, 700);  // it goes along with its card
-    settleLayout(view);
-    QVERIFY(view.rect().adjusted(view.width() / 2, view.height() / 2, 0, 0).contains(button->geometry()));
+    const QSize before = view.size();
+    f.window().resize(1400, 900);  // it moves with its card
+    const auto isLarger = [&] { return view.width() > before.width() && view.height() > before.height(); };
+    QVERIFY(QTest::qWaitFor(isLarger, 20000));
+    QCOMPARE(fromCorner(), inCard);
     f.window().actions().showMap->setChecked(false);
     QVERIFY(!button->isVisible());
 }

@@ -56,11 +56,13 @@ class TestCompute : public QObject {
     void framesOnTheirWayCount();
     void dragsContinueFromTheShownPose();
     void escapeRestores();
+    void dragsShowTheirOwnFrames();
     void undoShowsTheEarlierShapeAtOnce();
     void laterPinMovesNothing();
     void nudgesMerge();
     void foldsStopTheHandle();
     void problemsAreReported();
+    void outdatedFailuresAreIgnored();
     void cancelGoesBack_data();
     void cancelGoesBack();
     void firstMeshIsCancelled();
@@ -429,6 +431,26 @@ void TestCompute::escapeRestores() {
     QCOMPARE(m_session->document().undoStack()->count(), steps);
 }
 
+/// A frame of a cancelled drag that arrives during the next one does not move the shape.
+void TestCompute::dragsShowTheirOwnFrames() {
+    open();
+    m_session->addPin({40, 80, 0});
+    m_session->addPin({200, 80, 0});
+    QVERIFY(settle(*m_session));
+    const FramePtr before = m_session->motion().frame();
+    m_session->gestures().begin();
+    m_session->gestures().moveBy({0, 20, 0});
+    m_session->gestures().cancel();
+    m_session->gestures().begin();
+    QVERIFY(m_session->motion().isDragging());
+    QSignalSpy live(&m_session->motion(), &ShapeMotion::liveReady);
+    QVERIFY(allIsTaken());  // with the frame of the first drag
+    QVERIFY(live.isEmpty() && m_session->motion().frame() == before);
+    m_session->gestures().moveBy({0, 5, 0});
+    QVERIFY(QTest::qWaitFor([&] { return m_session->motion().frame()->amount == Amount(0, 5, 0); }, 20000));
+    m_session->gestures().cancel();
+}
+
 void TestCompute::undoShowsTheEarlierShapeAtOnce() {
     open();
     m_session->addPin({40, 80, 0});
@@ -506,6 +528,23 @@ void TestCompute::problemsAreReported() {
     m_session->document().undoStack()->undo();
     QVERIFY(settle(*m_session));
     QVERIFY(problems.last().first().toString().isEmpty());
+}
+
+/// The failure of an earlier request, which may arrive after the next request, affects neither the shape nor
+/// a drag.
+void TestCompute::outdatedFailuresAreIgnored() {
+    open();
+    m_session->addPin({40, 80, 0});
+    QVERIFY(settle(*m_session));
+    const FramePtr before = m_session->motion().frame();
+    QSignalSpy problems(&m_session->motion(), &ShapeMotion::problem);
+    m_session->gestures().begin();
+    QVERIFY(m_session->motion().isDragging());
+    auto* thread = m_session->motion().findChild<ComputeThread*>();
+    emit thread->failed(0, QStringLiteral("outdated"), ComputeFailure::Shapeless);
+    QVERIFY(problems.isEmpty() && !m_session->motion().hasFailed());
+    QVERIFY(m_session->motion().frame() == before && m_session->motion().isDragging());
+    m_session->gestures().cancel();
 }
 
 void TestCompute::cancelGoesBack_data() {

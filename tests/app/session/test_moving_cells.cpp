@@ -205,6 +205,18 @@ void TestMovingCells::shapesWithoutGainAreDrawnWhole() {
     for (const Cell<2>& cell : mesh->cells)
         twice->cells.push_back({cell[0] + count, cell[1] + count, cell[2] + count});
     QVERIFY(!MovingCells().of(twice, nullptr, twice->points, 1));
+    // All vertices of a ribbon are on its outline, which is kept whole.
+    constexpr int kSteps = 5000;
+    auto ribbon = std::make_shared<SimplicialMesh<2>>();
+    ribbon->points.resize(2, 2 * (kSteps + 1));
+    for (int i = 0; i <= kSteps; ++i) {
+        ribbon->points.col(2 * i) = kUnit * Vec2(i, 0);
+        ribbon->points.col(2 * i + 1) = kUnit * Vec2(i, 1);
+        if (i == kSteps) break;
+        ribbon->cells.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+        ribbon->cells.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+    }
+    QVERIFY(!MovingCells().of(ribbon, nullptr, ribbon->points, 1));
 }
 
 void TestMovingCells::pictureIsTheSame_data() {

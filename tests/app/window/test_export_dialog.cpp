@@ -38,6 +38,7 @@ class TestExportDialog : public QObject {
     void cropsAreReportedSideBySide();
     void aLoopFitsItsCycle();
     void previewIsWhatIsWritten();
+    void opaqueFormatsArePreviewedOnTheirGround_data();
     void opaqueFormatsArePreviewedOnTheirGround();
     void framesAreNumbered();
     void depthsAreWritten_data();
@@ -339,15 +340,23 @@ void TestExportDialog::cropsAreReportedSideBySide() {
     QVERIFY2(!film.contains(QStringLiteral("left")), qPrintable(film));
 }
 
+void TestExportDialog::opaqueFormatsArePreviewedOnTheirGround_data() {
+    QTest::addColumn<std::string>("outside");
+    QTest::newRow("white") << std::string("white");
+    QTest::newRow("the picture") << std::string("original");
+}
+
+/// White replaces transparency around the shape, and that of the picture itself.
 void TestExportDialog::opaqueFormatsArePreviewedOnTheirGround() {
+    QFETCH(std::string, outside);
     open(writeCutOut(*m_folder));
     bend(-10, 25);
     const auto asked = dialog(ExportKind::Picture);
-    auto* preview = asked->findChild<ExportPreview*>();
     choose(*asked, ".jpg");
-    QVERIFY(QTest::qWaitFor([&] { return preview->isCurrent(); }, 30000));
+    asked->form().field("--outside")->setValue(outside);
+    QVERIFY(waitForPreview(*asked));
     QVERIFY(written(ExportKind::Picture, file("ground.jpg"), asked->form().values()));
-    const QImage is(file("ground.jpg")), seen = preview->image();
+    const QImage is(file("ground.jpg")), seen = asked->form().preview().image();
     QCOMPARE(seen.size(), is.size());
     for (const QPoint& at : {QPoint(3, 3), QPoint(230, 150), QPoint(60, 80), QPoint(120, 30)}) {
         const QColor a = seen.pixelColor(at), b = is.pixelColor(at);

@@ -429,7 +429,7 @@ void TestSolidLooks::mapsHaveARimOnDarkGround() {
     Actions& common = m_window->actions();
     const auto besideTheBar = [&] {
         const QImage seen = canvas().grabFramebuffer();
-        const int y = canvas().toWidget({0, -0.5, 0.5}).toPoint().y();
+        const int y = canvas().toWidget({0, 0.5, 0.5}).toPoint().y();  // the far edge of the top
         int lightest = 0;
         for (int dy = -4; dy < 0; ++dy)
             lightest = std::max(lightest, seen.pixelColor(canvas().width() / 2, y + dy).lightness());

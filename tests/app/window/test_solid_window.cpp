@@ -1,5 +1,3 @@
-#include <sys/resource.h>
-#include <unistd.h>
 #include <xcb/xcb.h>
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 
 #include "app/engine/shape/held_border.h"
 #include "app/engine/shape/shape_builder.h"
@@ -39,6 +36,7 @@
 #include "core/integration/integration_options.h"
 #include "core/mesh/mesh_of_file.h"
 #include "core/solver/solver_choice.h"
+#include "tests/support/address_limit.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/projects.h"
 #include "tests/support/solid_fixture.h"
@@ -107,27 +105,6 @@ QPoint placeOf(const QWidget& window) {
         xcb_get_geometry_reply(screenServer(), request, nullptr), &std::free);
     return reply ? QPoint(reply->x, reply->y) : QPoint(-1, -1);
 }
-
-/// Limits the address space to the part in use plus a number of megabytes.
-class AddressLimit {
-  public:
-    explicit AddressLimit(int megabytes) {
-        getrlimit(RLIMIT_AS, &m_before);
-        std::ifstream pages("/proc/self/statm");
-        rlim_t used = 0;
-        pages >> used;
-        rlimit limit = m_before;
-        limit.rlim_cur =
-            used * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + static_cast<rlim_t>(megabytes) * 1000000;
-        setrlimit(RLIMIT_AS, &limit);
-    }
-    ~AddressLimit() { setrlimit(RLIMIT_AS, &m_before); }
-    AddressLimit(const AddressLimit&) = delete;
-    AddressLimit& operator=(const AddressLimit&) = delete;
-
-  private:
-    rlimit m_before{};
-};
 
 }  // namespace
 
