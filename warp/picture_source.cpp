@@ -71,11 +71,17 @@ PictureSource drawing(const InputFile& file, const std::string& layer, const Dra
     throw error.named(source.path);
 }
 
+void takeTiff(const InputFile& file, PictureSource& source) {
+    PlainTiff plain = plainTiff(file);
+    source.isInverted = plain.isInverted(source.page.value_or(0));
+    source.bytes = std::move(plain.bytes);
+    source.namesExtraSamples = TiffDirectory(file).namesExtraSamples();
+}
+
 PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureSource source) try {
     const TiffLayers found = tiffLayers(file);
     source.page = found.pages[layerNamed(found.layers, layer)];
-    source.bytes = bytesWithSoundMetadata(file, source.format);
-    source.namesExtraSamples = TiffDirectory(file).namesExtraSamples();
+    takeTiff(file, source);
     return source;
 } catch (const InputError& error) {
     throw error.named(source.path);
@@ -102,12 +108,12 @@ PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vect
     source.bytes = bytesWithSoundMetadata(file, source.format);
     if (source.format == PictureFormat::Png) takePng(file, source, notices);
     if (source.format == PictureFormat::Tiff) {
-        const TiffDirectory directory(file);
-        source.namesExtraSamples = directory.namesExtraSamples();
-        if (directory.isCameraRaw())
+        if (TiffDirectory(file).isCameraRaw()) {
             source.format = PictureFormat::Raw;
-        else
+        } else {
+            takeTiff(file, source);
             source.layers = tiffLayers(file).layers;
+        }
     }
     return source;
 }

@@ -349,8 +349,8 @@ class TestOutline : public QObject {
         QVERIFY(a.loops == b.loops);
     }
 
-    /// Steps of pixels have many points of the same cost, in several loops, whose places in memory differ from
-    /// one time to the next.
+    /// Steps of pixels have many points of the same cost, in several loops, whose places in memory differ
+    /// from one time to the next.
     void sameInputSameBitsWithManyLoops() {
         const Alpha discs = [](double x, double y) {
             return std::hypot(std::fmod(x, 60) - 30, std::fmod(y, 50) - 25) < 21.3 + y / 60 ? 1.0 : 0.0;
