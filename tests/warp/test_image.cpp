@@ -869,6 +869,32 @@ class TestImage : public QObject {
         QVERIFY(readImage(path("odd-out.tif")).iccProfile() == image.iccProfile());
     }
 
+    /// A write that ends before the first pixels, as on Ctrl+C, prints nothing and leaves no file.
+    void abandonedPicturesPrintNothing() {
+        QFile said(m_folder.filePath("said"));
+        QVERIFY(said.open(QIODevice::ReadWrite | QIODevice::Truncate));
+        std::fflush(stderr);
+        const int before = dup(STDERR_FILENO);
+        dup2(said.handle(), STDERR_FILENO);
+        int abandoned = 0;
+        const Image header = chart(300, 200, {PixelType::UInt8, 3, false, false});
+        for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "ppm", "hdr", "jp2"})
+            for (const int rows : {0, 100}) try {
+                    writeImage(path(QStringLiteral("abandoned.") + extension), header, 50,
+                               [rows](int top, Image&) {
+                                   if (top >= rows) throw Cancelled();
+                               });
+                } catch (const Cancelled&) {
+                    ++abandoned;
+                }
+        std::fflush(stderr);
+        dup2(before, STDERR_FILENO);
+        ::close(before);
+        QCOMPARE(abandoned, 20);
+        QCOMPARE(contents(said.fileName()), QByteArray());
+        QVERIFY(!QFile::exists(m_folder.filePath("abandoned.png")));
+    }
+
     void orientationIsHonoured_data() {
         QTest::addColumn<int>("orientation");
         for (int i = 1; i <= 8; ++i) QTest::addRow("%d", i) << i;

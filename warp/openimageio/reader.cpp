@@ -12,6 +12,7 @@
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
+#include "warp/openimageio/png_text.h"
 #include "warp/openimageio/webp.h"
 #include "warp/pixels.h"
 
@@ -354,10 +355,19 @@ void readPixels(const PictureSource& source, OIIO::ImageInput& input, Image& ima
         readStrips(source, input, image, sink);
 }
 
-/// Returns the file's description, completed by what OpenImageIO leaves to the caller: WebP's metadata, and
-/// one name for the inch.
+/// Makes the Latin-1 texts of a PNG UTF-8, as its other texts are, which OpenImageIO does not tell apart.
+void makeTextsUtf8(OIIO::ImageSpec& spec) {
+    for (OIIO::ParamValue& value : spec.extra_attribs)
+        if (const std::string text = value.get_string(0);
+            value.type() == OIIO::TypeString && !charactersOf(text))
+            value = OIIO::ParamValue(value.name(), utf8OfLatin1(text));
+}
+
+/// Returns the file's description, completed by what OpenImageIO leaves to the caller: WebP's metadata, one
+/// name for the inch, and one encoding of texts.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
+    if (std::string_view(input.format_name()) == "png") makeTextsUtf8(spec);
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
     if (keepsColours(input)) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!isWebp(input)) return spec;
