@@ -50,6 +50,7 @@ void takePng(const InputFile& file, PictureSource& source, std::vector<Message>&
     if (std::string problem = pngProblem(file); !problem.empty()) throw InputError(source.path, problem);
     const PngExtras extras = pngExtras(file);
     source.colours = extras.colours;
+    source.hasProfile = extras.hasProfile;
     tellOf(extras, notices);
 }
 

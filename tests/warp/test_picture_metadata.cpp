@@ -108,6 +108,7 @@ class TestPictureMetadata : public QObject {
     void valuesOfMillions();
     void uselessExif();
     void textsOfAllLanguages();
+    void profilesLeftOutAreReported();
 
   private:
     std::string put(const QString& name, const QByteArray& bytes) {
@@ -285,6 +286,32 @@ void TestPictureMetadata::textsOfAllLanguages() {
     writeImage(to.toStdString(), readImage(m_folder.filePath("by.tif").toStdString()));
     QCOMPARE(QImage(to).text("Author"), texts[1].second);
     QCOMPARE(QImage(to).text("Description"), texts[2].second);
+}
+
+/// libpng drops profiles that it does not like without a word.
+void TestPictureMetadata::profilesLeftOutAreReported() {
+    QImage grey(kWidth, kHeight, QImage::Format_Grayscale8);
+    grey.fill(90);
+    QByteArray greyPng;
+    QBuffer buffer(&greyPng);
+    QVERIFY(grey.save(&buffer, "PNG"));
+    const QByteArray rgb = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
+    const auto noticesOf = [&](const QByteArray& png, const QByteArray& profile) {
+        const QByteArray data = QByteArray("a profile\0\0", 11) + profile;
+        std::vector<Message> notices;
+        readImage(put("profile.png", withChunk(png, "iCCP", data)), kMaxMegapixels, &notices);
+        return notices;
+    };
+    const auto packed = [](const QByteArray& bytes) { return qCompress(bytes).mid(4); };
+    QVERIFY(noticesOf(drawn("PNG"), packed(rgb)).empty());
+    for (const auto& [png, profile] : {std::pair{greyPng, packed(rgb)},
+                                       {drawn("PNG"), packed(rgb.left(200))},
+                                       {drawn("PNG"), packed(QByteArray(500, 'x'))},
+                                       {drawn("PNG"), QByteArray("not compressed")}}) {
+        const std::vector<Message> notices = noticesOf(png, profile);
+        QCOMPARE(notices.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(notices[0]).contains("colour profile that does not fit"));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestPictureMetadata)

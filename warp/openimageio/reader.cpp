@@ -178,15 +178,14 @@ StoredPicture header(const OIIO::ImageSpec& spec, const PictureSource& source) {
     const auto exrColours = chromaticitiesOf(spec);
     metadata->isOfExr = exrColours.has_value();
     takeColours(source.colours ? source.colours : exrColours, image.colours(), described);
-    if (const OIIO::ParamValue* profile = described.find_attribute("ICCProfile")) {
+    const OIIO::ParamValue* profile = described.find_attribute("ICCProfile");
+    if (profile && profileFits(*profile, image.colours())) {
         const auto* bytes = static_cast<const std::byte*>(profile->data());
-        if (profileFits(*profile, image.colours())) {
-            metadata->iccProfile.assign(bytes, bytes + profile->datasize());
-        } else {
-            described.erase_attribute("ICCProfile");
-            stored.notices.emplace_back(
-                sentence("Core", "has a colour profile that does not fit its colours: it is left out"));
-        }
+        metadata->iccProfile.assign(bytes, bytes + profile->datasize());
+    } else if (profile || source.hasProfile) {
+        described.erase_attribute("ICCProfile");
+        stored.notices.emplace_back(
+            sentence("Core", "has a colour profile that does not fit its colours: it is left out"));
     }
     metadata->leftOut = channelsLeftOut(spec, image.channels);
     described.attribute("Orientation", 1);
