@@ -38,8 +38,9 @@ void tellOf(const PngExtras& extras, std::vector<Message>& notices) {
 }
 
 /// Returns the picture of all layers in place of the archive that contains it.
-InputFile mergedPicture(const std::string& path, PictureSource& source) {
+InputFile mergedPicture(const std::string& path, PictureSource& source, std::vector<Message>& notices) {
     LayeredFile layered = readLayeredFile(path, source.format);
+    notices.insert(notices.end(), layered.notices.begin(), layered.notices.end());
     source.format = PictureFormat::Png;
     source.layers = std::move(layered.layers);
     source.bytes = layered.merged;
@@ -94,7 +95,7 @@ PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vect
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita) {
-        takePng(mergedPicture(path, source), source, notices);
+        takePng(mergedPicture(path, source, notices), source, notices);
         return source;
     }
     if (source.format == PictureFormat::Svg) return drawing(file, {}, size, source);

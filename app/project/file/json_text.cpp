@@ -59,6 +59,7 @@ class Printer {
 
   private:
     static std::string number(double value) {
+        if (!std::isfinite(value)) return "null";  // as the library writes it
         if (value == 0 && std::signbit(value)) return "-0.0";
         return shortNumber(value);
     }
