@@ -69,7 +69,9 @@ std::string lostInPicture(const std::string& path, const Image& image) {
     const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : "; ") + what; };
     if (image.alpha && !holdsAlpha(path))
         add("the format holds no transparency: the picture is laid over white");
-    if (!holdsType(path, image.type)) add("the format does not hold numbers of this depth: they are rounded");
+    if (roundsNumbers(path, image.type))
+        add("the format does not hold numbers of this depth: they are rounded");
+    if (losesNegativeLight(path, image)) add("the format holds no negative light: it becomes 0");
     if (losesProfile(path, image))
         add("the format holds no colour profile: the colours' numbers are kept as they are");
     return lost;
