@@ -742,6 +742,18 @@ void TestCli::infoOfPicture() {
     const double area = info["outline"]["each"][0]["area"].toDouble(), disc = std::numbers::pi * 80 * 80;
     QVERIFY2(area > disc && area < 1.15 * disc, qPrintable(QString::number(area)));
     QVERIFY(run({"info", "disc.png"}).out.contains("width: 200\n"));
+    // Layers are listed from front to back, whatever their format.
+    const auto namesIn = [&](const char* layered) {
+        const QString picture = QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/") + layered;
+        const auto json = QJsonDocument::fromJson(run({"info", picture, "--json"}).out.toUtf8());
+        QStringList names;
+        for (const QJsonValue& layer : json["layers"].toArray()) names << layer["name"].toString();
+        return names;
+    };
+    const QString body = QString::fromUtf8("Körper");
+    QCOMPARE(namesIn("layers.psd"), (QStringList{"arm", "masked", body}));
+    QCOMPARE(namesIn("layers.ora"), (QStringList{"head", "arm & hand", body}));
+    QCOMPARE(namesIn("layers.kra").last(), body);
 }
 
 void TestCli::infoOfBadMesh() {
