@@ -83,7 +83,7 @@ void convertPicture(const Conversion& conversion, OutputSet& files) {
         throw InputError(conversion.to, "is in no picture format that can be written");
     std::vector<Message> notices;
     const Image image = readImage(conversion.from, conversion.drawn, &notices);
-    for (const Message& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
+    for (const Message& notice : notices) conversion.terminal.warn(notice);
     conversion.tell(lostInPicture("picture" + extension, image));
     files.add(conversion.to, extension, [&](const std::string& file) { writeImage(file, image); });
 }

@@ -1,8 +1,10 @@
 #include "app/project/file/json_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "app/project/options/options.h"
@@ -48,6 +50,21 @@ std::string bareReason(std::string what) {
     if (what.starts_with('[')) what.erase(0, what.find("] ") + 2);
     if (what.starts_with("parse error")) what.erase(0, what.find(": ") + 2);
     return what;
+}
+
+/// Returns where the number is that is too large: the library names it, but not its place.
+std::string placeOfOverflow(const std::string& text, const std::string& reason) {
+    const auto begin = reason.find('\''), end = reason.rfind('\'');
+    if (begin == end) return {};
+    const std::string number = reason.substr(begin + 1, end - begin - 1);
+    const auto continues = [&](std::size_t at) {
+        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 ||
+                                    std::string_view(".+-\"").find(text[at]) != std::string_view::npos);
+    };
+    auto at = text.find(number);
+    while (at != std::string::npos && (continues(at - 1) || continues(at + number.size())))
+        at = text.find(number, at + 1);
+    return at == std::string::npos ? "" : placeOf(text, at + 1) + ": ";
 }
 
 class Printer {
@@ -138,7 +155,8 @@ Json parseJson(const std::string& text, const std::string& path) try {
     throw InputError(path,
                      "is not valid JSON: " + placeOf(text, error.byte) + ": " + bareReason(error.what()));
 } catch (const Json::exception& error) {
-    throw InputError(path, "is not valid JSON: " + bareReason(error.what()));
+    const std::string reason = bareReason(error.what());
+    throw InputError(path, "is not valid JSON: " + placeOfOverflow(text, reason) + reason);
 }
 
 std::string prettyJson(const Json& json) try {

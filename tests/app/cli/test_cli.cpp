@@ -823,6 +823,10 @@ void TestCli::convert() {
     QCOMPARE(readImage(file("disc.tif")).data, readImage(file("disc.png")).data);
     QVERIFY(run({"convert", "disc.png", "disc.jpg"}).error.contains("no transparency"));
     QVERIFY(run({"convert", "strip.obj", "-"}).out.contains("VTKFile"));
+    // Layers, and what is written, are named with the file once.
+    const QString layers = QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/layers.ora");
+    const QString notice = run({"convert", layers, "flat.png"}).error;
+    QVERIFY2(notice.startsWith("wend: " + layers + ": has 3 layers"), qPrintable(notice));
     QCOMPARE(run({"convert", "strip.obj"}).code, 2);
     QCOMPARE(run({"convert", "strip.obj", "./strip.obj"}).code, 2);
     QCOMPARE(run({"convert", "strip.obj", "strip.xyz"}).code, 3);
