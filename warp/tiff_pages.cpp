@@ -81,11 +81,11 @@ struct TiffPlace {
     std::uint64_t end(const TiffForm& form) const { return at + form.count() + entries.size(); }
 };
 
-/// Returns the directories, as far as they are complete.
+/// Returns the directories, as far as they are complete and do not refer to each other in a circle.
 std::vector<TiffPlace> directoriesOf(const InputFile& file, const TiffForm& form) {
     constexpr std::size_t kMost = 1000;
     std::vector<TiffPlace> found;
-    std::uint64_t pointer = form.isBig ? 8 : 4;
+    std::uint64_t pointer = form.isBig ? 8 : 4, total = 0;
     while (found.size() < kMost) {
         const std::string to = file.bytes(pointer, form.offset());
         const std::uint64_t at = to.size() < form.offset() ? 0 : form.number(to, 0, form.offset());
@@ -94,6 +94,7 @@ std::vector<TiffPlace> directoriesOf(const InputFile& file, const TiffForm& form
         const std::uint64_t entries = form.number(count, 0, form.count());
         if (entries > file.size() / form.entry()) break;
         const std::uint64_t size = entries * form.entry();
+        if ((total += size) > file.size()) break;
         TiffPlace place{at, file.bytes(at + form.count(), size)};
         if (place.entries.size() < size) break;
         pointer = place.end(form);

@@ -617,6 +617,20 @@ class TestImage : public QObject {
             }
     }
 
+    /// A directory that refers to itself is one page.
+    void circlesOfTiffDirectoriesEnd() {
+        const std::vector<unsigned> values{1, 0, 1, 1, 0, 0, 1, 0};
+        QByteArray bytes = tiffOf({8, 1, 1, 1, 0, false, false}, values);
+        bytes = bytes.chopped(4) + bytes.mid(4, 4);  // the place of the first one
+        QFile file(m_folder.filePath("circle.tif"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        const Image image = readImage(path("circle.tif"));
+        for (std::size_t x = 0; x < 8; ++x)
+            QCOMPARE(image.data[x], values[x] != 0 ? std::byte(0) : std::byte(255));
+    }
+
     void furtherChannelsAndPicturesAreNamed() {
         OIIO::ImageSpec spec(4, 4, 6, OIIO::TypeDesc::HALF);
         spec.channelnames = {"R", "G", "B", "A", "Z", "id"};
