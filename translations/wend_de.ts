@@ -419,8 +419,12 @@
         <translation>ein JPEG-XL-Bild</translation>
     </message>
     <message>
-        <source>a GIMP picture (XCF)</source>
-        <translation>ein GIMP-Bild (XCF)</translation>
+        <source>a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)</source>
+        <translation>ein GIMP-Bild (XCF; aus GIMP als PNG oder OpenRaster exportieren)</translation>
+    </message>
+    <message>
+        <source>has a layer &quot;%1&quot; with an opacity out of range: it is limited to 0 … 100 %</source>
+        <translation>hat eine Ebene „%1“ mit einer unmöglichen Deckkraft: sie wird auf 0 … 100 % begrenzt</translation>
     </message>
     <message>
         <source>a PDF document</source>

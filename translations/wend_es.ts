@@ -419,8 +419,12 @@
         <translation>una imagen JPEG XL</translation>
     </message>
     <message>
-        <source>a GIMP picture (XCF)</source>
-        <translation>una imagen de GIMP (XCF)</translation>
+        <source>a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)</source>
+        <translation>una imagen de GIMP (XCF; expórtela desde GIMP como PNG u OpenRaster)</translation>
+    </message>
+    <message>
+        <source>has a layer &quot;%1&quot; with an opacity out of range: it is limited to 0 … 100 %</source>
+        <translation>tiene una capa «%1» con una opacidad imposible: se limita a 0 … 100 %</translation>
     </message>
     <message>
         <source>a PDF document</source>

@@ -419,8 +419,12 @@
         <translation>une image JPEG XL</translation>
     </message>
     <message>
-        <source>a GIMP picture (XCF)</source>
-        <translation>une image GIMP (XCF)</translation>
+        <source>a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)</source>
+        <translation>une image GIMP (XCF ; l’exporter depuis GIMP en PNG ou OpenRaster)</translation>
+    </message>
+    <message>
+        <source>has a layer &quot;%1&quot; with an opacity out of range: it is limited to 0 … 100 %</source>
+        <translation>a un calque « %1 » dont l’opacité est impossible : elle est limitée à 0 … 100 %</translation>
     </message>
     <message>
         <source>a PDF document</source>

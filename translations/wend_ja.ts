@@ -419,8 +419,12 @@
         <translation>JPEG XL 画像</translation>
     </message>
     <message>
-        <source>a GIMP picture (XCF)</source>
-        <translation>GIMP 画像 (XCF)</translation>
+        <source>a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)</source>
+        <translation>GIMP 画像 (XCF。GIMP から PNG または OpenRaster で書き出してください)</translation>
+    </message>
+    <message>
+        <source>has a layer &quot;%1&quot; with an opacity out of range: it is limited to 0 … 100 %</source>
+        <translation>レイヤー「%1」の不透明度が範囲外です: 0 … 100 % に制限されます</translation>
     </message>
     <message>
         <source>a PDF document</source>

@@ -419,8 +419,12 @@
         <translation>JPEG XL 图片</translation>
     </message>
     <message>
-        <source>a GIMP picture (XCF)</source>
-        <translation>GIMP 图片 (XCF)</translation>
+        <source>a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)</source>
+        <translation>GIMP 图片 (XCF;请从 GIMP 导出为 PNG 或 OpenRaster)</translation>
+    </message>
+    <message>
+        <source>has a layer &quot;%1&quot; with an opacity out of range: it is limited to 0 … 100 %</source>
+        <translation>图层“%1”的不透明度超出范围:限制为 0 … 100 %</translation>
     </message>
     <message>
         <source>a PDF document</source>

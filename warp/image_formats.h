@@ -10,6 +10,12 @@ namespace wend {
 /// neither writeImage() nor writePhotoshopFile() writes.
 bool holdsType(const std::string& path, PixelType type);
 
+/// Returns whether the format of `path` rounds or clamps pixels of that type, in pictures and in layers.
+bool roundsNumbers(const std::string& path, PixelType type);
+
+/// Returns whether the picture has negative light, which the format makes 0 (Radiance HDR).
+bool losesNegativeLight(const std::string& path, const Image& image);
+
 /// Returns whether it holds transparency; without it a picture is composed over white.
 bool holdsAlpha(const std::string& path);
 

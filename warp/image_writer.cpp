@@ -273,6 +273,33 @@ bool holdsType(const std::string& path, PixelType type) {
     return format && format->types[static_cast<std::size_t>(type)];
 }
 
+bool roundsNumbers(const std::string& path, PixelType type) {
+    const std::string extension = lowerExtension(path);
+    if (extension == ".psd" || extension == ".ora")
+        return type == PixelType::Half || type == PixelType::Float;
+    const Format* format = findFormat(extension);
+    if (!format) return false;
+    const PixelType written = nearestType(*format, type);
+    if (written == type) return false;
+    if (type == PixelType::UInt8) return false;
+    return written != PixelType::Float || format->id == PictureFormat::Hdr;
+}
+
+bool losesNegativeLight(const std::string& path, const Image& image) {
+    const Format* format = findFormat(lowerExtension(path));
+    const bool isLight = image.type == PixelType::Half || image.type == PixelType::Float;
+    if (!format || format->id != PictureFormat::Hdr || !isLight) return false;
+    const auto channels = static_cast<std::size_t>(image.channels),
+               colours = static_cast<std::size_t>(image.colours());
+    std::vector<float> row(channels * static_cast<std::size_t>(image.width));
+    for (int y = 0; y < image.height; ++y) {
+        loadRow(image, y, row.data());
+        for (std::size_t k = 0; k < row.size(); ++k)
+            if (k % channels < colours && row[k] < 0) return true;
+    }
+    return false;
+}
+
 bool holdsAlpha(const std::string& path) {
     const Format* format = findFormat(lowerExtension(path));
     return format && format->alpha;

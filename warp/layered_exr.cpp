@@ -52,12 +52,20 @@ void copyInto(Image& strip, int top, const Channels& from, std::size_t place) {
                         from.picture.row(y - from.y) + bytes * static_cast<std::size_t>(x - from.x), bytes);
 }
 
+/// Returns the most bytes of UTF-8 text that are whole characters and no more than `most`.
+std::size_t wholeCharacters(const std::string& text, std::size_t most) {
+    std::size_t size = std::min(most, text.size());
+    const auto continues = [&] { return (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80; };
+    while (size > 0 && size < text.size() && continues()) --size;
+    return size;
+}
+
 }  // namespace
 
 std::vector<std::string> channelNames(const std::vector<LayerToWrite>& layers) {
     std::vector<std::string> names;
     for (const LayerToWrite& layer : layers) {
-        names.push_back(layer.name);
+        names.push_back(layer.name.substr(0, wholeCharacters(layer.name, kLongestChannelName)));
         for (char& c : names.back())
             if (c >= 0 && std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
     }

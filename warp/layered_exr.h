@@ -12,7 +12,10 @@ namespace wend {
 void writeLayeredExr(const std::string& path, const Image& merged, const std::vector<LayerToWrite>& layers,
                      std::optional<PixelType> type = std::nullopt);
 
-/// Returns the names of layers as they are in channels: without dots and spaces, all different.
+/// The most bytes of a layer's name in channels, of whose names OpenEXR holds 255.
+constexpr std::size_t kLongestChannelName = 200;
+
+/// Returns the names of layers as they are in channels: without dots and spaces, not too long, all different.
 std::vector<std::string> channelNames(const std::vector<LayerToWrite>& layers);
 
 }  // namespace wend

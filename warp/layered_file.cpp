@@ -1,6 +1,7 @@
 #include "warp/layered_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <pugixml.hpp>
 #include <string_view>
@@ -55,8 +56,14 @@ bool isVisible(const pugi::xml_node& node, const Description& description) {
            description.shown;
 }
 
-double opacityOf(const pugi::xml_node& node, const Description& description) {
+double writtenOpacity(const pugi::xml_node& node, const Description& description) {
     return node.attribute("opacity").as_double(description.opaque) / description.opaque;
+}
+
+/// Returns the opacity within 0 … 1, and 1 for one that is not a number.
+double opacityOf(const pugi::xml_node& node, const Description& description) {
+    const double opacity = writtenOpacity(node, description);
+    return std::isnan(opacity) ? 1 : std::clamp(opacity, 0.0, 1.0);
 }
 
 /// Returns whether a group is combined before it is put over what is below: in Krita unless it passes
@@ -117,6 +124,7 @@ void takeSize(const std::optional<std::string>& png, PictureLayer& layer) {
 /// The layers of a description, without groups, and where their pictures are in the archive.
 struct LayerList {
     std::vector<PictureLayer> layers;
+    std::vector<Message> notices;
     std::vector<std::string> files;  // of OpenRaster
     std::vector<KritaLayer> kritas;
 };
@@ -136,6 +144,12 @@ LayerList layersOf(const ZipArchive& zip, PictureFormat format) {
         if (isKrita) list.kritas.push_back(kritaLayerOf(zip, found.node(), layer));
         list.layers.push_back(std::move(layer));
     }
+    for (const auto& found : document.select_nodes("//*[@opacity]"))
+        if (writtenOpacity(found.node(), description) != opacityOf(found.node(), description))
+            list.notices.emplace_back(
+                sentence("Core",
+                         "has a layer \"%1\" with an opacity out of range: it is limited to 0 … 100 %"),
+                found.node().attribute("name").value());
     std::vector<std::string*> names;
     for (PictureLayer& layer : list.layers) names.push_back(&layer.name);
     giveOwnNames(names);
@@ -150,7 +164,8 @@ LayeredFile readLayeredFile(const std::string& path, PictureFormat format) {
     if (!merged)
         zip.fail({sentence("Core", "holds no picture of all its layers (%1): save it with one"),
                   "mergedimage.png"});
-    return {std::move(*merged), layersOf(zip, format).layers};
+    LayerList list = layersOf(zip, format);
+    return {std::move(*merged), std::move(list.layers), std::move(list.notices)};
 }
 
 bool isPlainBlend(const std::string& mode) {

@@ -12,6 +12,7 @@ namespace wend {
 struct LayeredFile {
     std::string merged;  // a file of the picture of all layers: a PNG, or a Photoshop file
     std::vector<PictureLayer> layers;
+    std::vector<Message> notices = {};
 };
 
 /// Reads a ZIP archive with `mergedimage.png` and a description of the layers (stack.xml or maindoc.xml).

@@ -24,6 +24,8 @@ struct PictureSource {
     std::optional<ColourSpace> colours = {};  // that take the place of what the format's library says
     std::vector<PictureLayer> layers = {};    // that the file says are merged in the picture
     bool namesExtraSamples = true;            // false of a TIFF that does not say what follows its colours
+    bool hasProfile = false;                  // of a PNG, whose library does not report one that it drops
+    bool isInverted = false;                  // white is 0, which the bytes do not say
     std::optional<int> page = {};  // of several pictures; without: the first, as the file's picture
 };
 

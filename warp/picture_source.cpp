@@ -38,8 +38,9 @@ void tellOf(const PngExtras& extras, std::vector<Message>& notices) {
 }
 
 /// Returns the picture of all layers in place of the archive that contains it.
-InputFile mergedPicture(const std::string& path, PictureSource& source) {
+InputFile mergedPicture(const std::string& path, PictureSource& source, std::vector<Message>& notices) {
     LayeredFile layered = readLayeredFile(path, source.format);
+    notices.insert(notices.end(), layered.notices.begin(), layered.notices.end());
     source.format = PictureFormat::Png;
     source.layers = std::move(layered.layers);
     source.bytes = layered.merged;
@@ -50,6 +51,7 @@ void takePng(const InputFile& file, PictureSource& source, std::vector<Message>&
     if (std::string problem = pngProblem(file); !problem.empty()) throw InputError(source.path, problem);
     const PngExtras extras = pngExtras(file);
     source.colours = extras.colours;
+    source.hasProfile = extras.hasProfile;
     tellOf(extras, notices);
 }
 
@@ -71,11 +73,17 @@ PictureSource drawing(const InputFile& file, const std::string& layer, const Dra
     throw error.named(source.path);
 }
 
+void takeTiff(const InputFile& file, PictureSource& source) {
+    PlainTiff plain = plainTiff(file);
+    source.isInverted = plain.isInverted(source.page.value_or(0));
+    source.bytes = std::move(plain.bytes);
+    source.namesExtraSamples = TiffDirectory(file).namesExtraSamples();
+}
+
 PictureSource tiffPage(const InputFile& file, const std::string& layer, PictureSource source) try {
     const TiffLayers found = tiffLayers(file);
     source.page = found.pages[layerNamed(found.layers, layer)];
-    source.bytes = bytesWithSoundMetadata(file, source.format);
-    source.namesExtraSamples = TiffDirectory(file).namesExtraSamples();
+    takeTiff(file, source);
     return source;
 } catch (const InputError& error) {
     throw error.named(source.path);
@@ -87,7 +95,7 @@ PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vect
     const InputFile file(path);
     PictureSource source{path, pictureFormat(file)};
     if (source.format == PictureFormat::OpenRaster || source.format == PictureFormat::Krita) {
-        takePng(mergedPicture(path, source), source, notices);
+        takePng(mergedPicture(path, source, notices), source, notices);
         return source;
     }
     if (source.format == PictureFormat::Svg) return drawing(file, {}, size, source);
@@ -102,12 +110,12 @@ PictureSource sourceOf(const std::string& path, const DrawnSize& size, std::vect
     source.bytes = bytesWithSoundMetadata(file, source.format);
     if (source.format == PictureFormat::Png) takePng(file, source, notices);
     if (source.format == PictureFormat::Tiff) {
-        const TiffDirectory directory(file);
-        source.namesExtraSamples = directory.namesExtraSamples();
-        if (directory.isCameraRaw())
+        if (TiffDirectory(file).isCameraRaw()) {
             source.format = PictureFormat::Raw;
-        else
+        } else {
+            takeTiff(file, source);
             source.layers = tiffLayers(file).layers;
+        }
     }
     return source;
 }

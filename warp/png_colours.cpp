@@ -126,6 +126,7 @@ PngExtras pngExtras(const InputFile& file) {
         for (std::size_t k = 0; k < 4; ++k)
             extras.unknownColours += (k > 0 ? "-" : "") + std::to_string(bigEndian(chunks.cicp, k, 1));
     }
+    extras.hasProfile = chunks.hasProfile;
     if (!chunks.hasProfile && !chunks.isSrgb) extras.colours = spaceOfNumbers(chunks);
     return extras;
 }

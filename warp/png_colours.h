@@ -14,6 +14,7 @@ struct PngExtras {
         colours;                 // by cICP, or by cHRM and gAMA; nothing for sRGB and beside a profile
     std::string unknownColours;  // the four numbers of a cICP chunk that is not understood
     unsigned frames = 1;         // of an animation
+    bool hasProfile = false;     // and no cICP that takes its place
 };
 PngExtras pngExtras(const InputFile& file);
 

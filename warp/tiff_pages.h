@@ -41,6 +41,20 @@ class TiffDirectory {
     std::uint64_t m_next = 0;
 };
 
+/// A TIFF in the form that OpenImageIO reads properly.
+struct PlainTiff {
+    std::string bytes;           // empty: the file itself
+    std::vector<bool> inverted;  // of each page: white is 0 in its samples, which `bytes` does not say
+
+    bool isInverted(int page) const {
+        return static_cast<std::size_t>(page) < inverted.size() && inverted[static_cast<std::size_t>(page)];
+    }
+};
+
+/// Names the depth of pages that leave it to the standard (1 bit), and declares black as 0: OpenImageIO takes
+/// the depth as 8 bits, inverts samples of some depths only, and alpha with them.
+PlainTiff plainTiff(const InputFile& file);
+
 /// Layers that are pages of a TIFF, as GIMP writes them.
 struct TiffLayers {
     std::vector<PictureLayer> layers;  // from the back to the front

@@ -69,7 +69,9 @@ std::string lostInPicture(const std::string& path, const Image& image) {
     const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : "; ") + what; };
     if (image.alpha && !holdsAlpha(path))
         add("the format holds no transparency: the picture is laid over white");
-    if (!holdsType(path, image.type)) add("the format does not hold numbers of this depth: they are rounded");
+    if (roundsNumbers(path, image.type))
+        add("the format does not hold numbers of this depth: they are rounded");
+    if (losesNegativeLight(path, image)) add("the format holds no negative light: it becomes 0");
     if (losesProfile(path, image))
         add("the format holds no colour profile: the colours' numbers are kept as they are");
     return lost;
@@ -81,7 +83,7 @@ void convertPicture(const Conversion& conversion, OutputSet& files) {
         throw InputError(conversion.to, "is in no picture format that can be written");
     std::vector<Message> notices;
     const Image image = readImage(conversion.from, conversion.drawn, &notices);
-    for (const Message& notice : notices) conversion.terminal.warn(conversion.from + ": " + notice);
+    for (const Message& notice : notices) conversion.terminal.warn(notice);
     conversion.tell(lostInPicture("picture" + extension, image));
     files.add(conversion.to, extension, [&](const std::string& file) { writeImage(file, image); });
 }

@@ -16,6 +16,7 @@
 #include "app/project/file/project_reader.h"
 #include "core/base/error.h"
 #include "core/base/file_name.h"
+#include "core/base/input_file.h"
 #include "core/base/printable.h"
 #include "core/base/same_file.h"
 #include "core/mesh/file_cells.h"
@@ -24,6 +25,7 @@
 #include "core/mesh/mesh_of_file.h"
 #include "core/mesh/segments.h"
 #include "warp/outline.h"
+#include "warp/picture_format.h"
 #include "warp/picture_metadata.h"
 
 namespace wend {
@@ -45,7 +47,7 @@ Json outlineInfo(const Image& image) try {
     return {{"problem", error.reason()}};
 }
 
-/// Lists the layers of the picture as far as they are known.
+/// Lists the layers of the picture, from front to back, as far as they are known.
 Json layersInfo(const std::vector<PictureLayer>& layers) {
     Json list = Json::array();
     for (const PictureLayer& layer : layers) {
@@ -65,15 +67,17 @@ Json layersInfo(const std::vector<PictureLayer>& layers) {
 }
 
 /// Adds what the file has and the picture does not.
-void addFileInfo(const Image& image, Json& json) {
+void addFileInfo(const std::string& path, const Image& image, Json& json) {
     const Image::Metadata& metadata = *image.metadata;
     if (const PixelBox& box = metadata.stored; box.width > 0)
         json["dataWindow"] = {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}};
     json["colourProfile"] = !metadata.iccProfile.empty();
     if (!metadata.leftOut.empty()) json["channelsLeftOut"] = metadata.leftOut;
     if (!metadata.pictures.empty()) json["pictures"] = metadata.pictures;
-    if (const auto& layers = fileMetadata(image)->layers; !layers.empty())
-        json["layers"] = layersInfo(layers);
+    std::vector<PictureLayer> layers = fileMetadata(image)->layers;
+    const PictureFormat format = layers.empty() ? PictureFormat::Png : pictureFormat(InputFile(path));
+    if (format == PictureFormat::Psd || format == PictureFormat::Tiff) std::ranges::reverse(layers);
+    if (!layers.empty()) json["layers"] = layersInfo(layers);
 }
 
 Json pictureInfo(const std::string& path) {
@@ -86,7 +90,7 @@ Json pictureInfo(const std::string& path) {
               {"channels", image.channels},
               {"depth", types[static_cast<int>(image.type)]},
               {"alpha", image.alpha}};
-    addFileInfo(image, json);
+    addFileInfo(path, image, json);
     if (image.alpha) json["outline"] = outlineInfo(image);
     if (!notices.empty()) json["notices"] = textsOf(notices);
     return json;

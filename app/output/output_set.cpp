@@ -25,10 +25,17 @@ std::vector<std::string> partnersOf(const std::string& path) {
     return {};
 }
 
-/// Calls `write` with that file; errors name `path` instead.
+/// Returns whether an error is about another file than the one that is written, or one beside it.
+bool isOfOtherFile(const InputError& error, const std::string& file) {
+    const std::string stem = fs::path(file).replace_extension().string();
+    return !error.file().empty() && !error.file().starts_with(stem);
+}
+
+/// Calls `write` with that file; errors name `path` instead, unless they are about a file that is read.
 void writeTo(const std::string& file, const std::string& path, const OutputSet::Write& write) try {
     write(file);
 } catch (const InputError& error) {
+    if (isOfOtherFile(error, file)) throw;
     std::string reason = error.reason();
     const auto at = reason.find(file);
     if (at == std::string::npos) throw InputError(path, error.message());

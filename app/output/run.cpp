@@ -9,6 +9,7 @@
 #include "app/engine/shape/held_border.h"
 #include "app/engine/shape/pose_faults.h"
 #include "app/engine/shape/shape_builder.h"
+#include "app/output/layer_export.h"
 #include "app/output/output_set.h"
 #include "app/output/picture_output.h"
 #include "app/output/point_file.h"
@@ -35,6 +36,7 @@
 #include "kernels/back_end_choice.h"
 #include "warp/film_format.h"
 #include "warp/image_formats.h"
+#include "warp/layered_exr.h"
 #include "warp/picture_library.h"
 
 namespace wend {
@@ -251,6 +253,8 @@ class Run {
 
     void writeAll() {
         warnOfColours();
+        warnOfNumbers();
+        warnOfNames();
         writeShapes();
     }
 
@@ -306,6 +310,30 @@ class Run {
         for (const std::string& path : m_options.outputs.films)
             if (!m_shape.picture->iccProfile().empty() && filmFormatOf(path)->id != FilmFormat::Webp)
                 warnOfColoursIn(path);
+    }
+
+    /// Reports every output whose format does not hold the picture's numbers, unless --depth chooses others.
+    void warnOfNumbers() const {
+        if (!m_shape.picture) return;
+        for (const FileNames* names : {&m_options.outputs.image, &m_options.outputs.frames})
+            for (const std::string& path : *names) {
+                if (!m_options.depth && roundsNumbers(path, m_shape.picture->type))
+                    m_watch.notice(path +
+                                   ": the format does not hold numbers of this depth: they are rounded");
+                if (losesNegativeLight(path, *m_shape.picture))
+                    m_watch.notice(path + ": the format holds no negative light: it becomes 0");
+            }
+    }
+
+    /// Reports parts whose names are too long for channels of OpenEXR.
+    void warnOfNames() const {
+        if constexpr (Dim == 2)
+            for (const FileNames* names : {&m_options.outputs.image, &m_options.outputs.stMap})
+                for (const std::string& path : *names)
+                    for (const PicturePart& part : domainOf(m_project).parts)
+                        if (getsPartChannels(path, m_shape) && part.name.size() > kLongestChannelName)
+                            m_watch.notice(path + ": the name of the part \"" + part.name.substr(0, 20) +
+                                           "…\" is too long for channels: it is shortened");
     }
 
     void warnOfColoursIn(const std::string& path) const {

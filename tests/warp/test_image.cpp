@@ -118,6 +118,62 @@ QByteArray plainTiff(quint16 width, quint16 height, quint16 samples, bool unspec
     return file + pixels;
 }
 
+/// A TIFF of one strip, with rows of whole bytes.
+struct TiffFacts {
+    int width, height, bits, samples, photometric;
+    bool isBig, namesBits;
+};
+
+/// Returns a TIFF of these samples; of two, the second is unassociated alpha.
+QByteArray tiffOf(const TiffFacts& facts, const std::vector<unsigned>& values) {
+    QByteArray pixels;
+    const auto perRow = static_cast<std::size_t>(facts.width) * static_cast<std::size_t>(facts.samples);
+    for (std::size_t row = 0; row < values.size(); row += perRow) {
+        QByteArray line;
+        int used = 0;
+        for (std::size_t k = row; k < row + perRow; ++k) {
+            if (facts.bits == 16) {
+                line += static_cast<char>(values[k] & 0xffU);
+                line += static_cast<char>(values[k] >> 8U);
+                continue;
+            }
+            for (int bit = facts.bits - 1; bit >= 0; --bit, ++used) {
+                if (used % 8 == 0) line += '\0';
+                line.back() = static_cast<char>(line.back() | (values[k] >> bit & 1U) << (7 - used % 8));
+            }
+        }
+        pixels += line;
+    }
+    const auto number = [](quint64 value, int bytes) {
+        QByteArray text;
+        for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> 8 * k & 0xff);
+        return text;
+    };
+    const int offset = facts.isBig ? 8 : 4;
+    QByteArray entries;
+    int count = 0;
+    const auto entry = [&](quint16 tag, quint16 type, quint64 many, quint64 value) {
+        entries += number(tag, 2) + number(type, 2) + number(many, offset) + number(value, offset);
+        ++count;
+    };
+    const quint64 head = facts.isBig ? 16 : 8, both = static_cast<quint64>(facts.bits) * 0x10001U;
+    const bool hasAlpha = facts.samples == 2;
+    entry(256, 3, 1, static_cast<quint64>(facts.width));
+    entry(257, 3, 1, static_cast<quint64>(facts.height));
+    if (facts.namesBits) entry(258, 3, hasAlpha ? 2 : 1, hasAlpha ? both : static_cast<quint64>(facts.bits));
+    entry(259, 3, 1, 1);
+    entry(262, 3, 1, static_cast<quint64>(facts.photometric));
+    entry(273, 4, 1, head);
+    entry(277, 3, 1, static_cast<quint64>(facts.samples));
+    entry(278, 3, 1, static_cast<quint64>(facts.height));
+    entry(279, 4, 1, static_cast<quint64>(pixels.size()));
+    if (hasAlpha) entry(338, 3, 1, 2);
+    const quint64 at = head + static_cast<quint64>(pixels.size());
+    const QByteArray start = facts.isBig ? QByteArray("II+\0\x08\0\0\0", 8) : QByteArray("II*\0", 4);
+    return start + number(at, offset) + pixels + number(static_cast<quint64>(count), facts.isBig ? 8 : 2) +
+           entries + number(0, offset);
+}
+
 /// Returns whether a profile means the same colours, by some that Qt converts.
 bool sameColours(const std::vector<std::byte>& profile, const QColorSpace& space) {
     const QColorSpace found = QColorSpace::fromIccProfile(
@@ -498,6 +554,83 @@ class TestImage : public QObject {
         QVERIFY(QString::fromStdString(notices[0]).contains("taken as alpha"));
     }
 
+    void whiteIsZeroInSomeTiffs_data() {
+        QTest::addColumn<int>("bits");
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<bool>("big");
+        for (const int bits : {1, 2, 4, 6, 8, 10, 12, 14, 16})
+            for (const bool big : {false, true}) {
+                QTest::addRow("%d bits%s", bits, big ? ", BigTIFF" : "") << bits << 1 << big;
+                if (bits >= 8 && bits % 8 == 0)
+                    QTest::addRow("%d bits, alpha%s", bits, big ? ", BigTIFF" : "") << bits << 2 << big;
+            }
+    }
+    /// The samples of PhotometricInterpretation 0, by the numbers that are written.
+    void whiteIsZeroInSomeTiffs() {
+        QFETCH(int, bits);
+        QFETCH(int, samples);
+        QFETCH(bool, big);
+        constexpr int kWidth = 11, kHeight = 3;
+        const unsigned most = (1U << bits) - 1;
+        std::vector<unsigned> values;
+        for (int k = 0; k < kWidth * kHeight * samples; ++k)
+            values.push_back(static_cast<unsigned>(k * 2654435761U >> 16U) & most);
+        const QByteArray bytes = tiffOf({kWidth, kHeight, bits, samples, 0, big, bits > 1}, values);
+        QFile file(m_folder.filePath("white.tif"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        const Image image = readImage(path("white.tif"));
+        QCOMPARE(image.channels, samples);
+        std::vector<float> row(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(samples));
+        for (int y = 0; y < kHeight; ++y) {
+            loadRow(image, y, row.data());
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                const double stored = 1.0 * values[static_cast<std::size_t>(y) * row.size() + k] / most;
+                const bool isAlpha = samples == 2 && k % 2 == 1;
+                QVERIFY2(std::abs(row[k] - (isAlpha ? stored : 1 - stored)) < 0.005,
+                         qPrintable(QString("%1 %2: %3").arg(y).arg(k).arg(row[k])));
+            }
+        }
+    }
+
+    /// TIFF 6.0: BitsPerSample is 1 by default.
+    void oneBitIsTheDefaultOfTiffs() {
+        for (const int photometric : {0, 1})
+            for (const bool big : {false, true}) {
+                std::vector<unsigned> values;
+                for (unsigned k = 0; k < 40 * 24; ++k) values.push_back(k * k / 7 % 2);
+                QFile file(m_folder.filePath("default.tif"));
+                QVERIFY(file.open(QIODevice::WriteOnly));
+                file.write(tiffOf({40, 24, 1, 1, photometric, big, false}, values));
+                file.close();
+                const Image image = readImage(path("default.tif"));
+                QCOMPARE(image.channels, 1);
+                std::vector<float> row(40);
+                for (int y = 0; y < 24; ++y) {
+                    loadRow(image, y, row.data());
+                    for (std::size_t x = 0; x < 40; ++x) {
+                        const bool isSet = values[static_cast<std::size_t>(y) * 40 + x] != 0;
+                        QCOMPARE(row[x], isSet == (photometric == 1) ? 1.0F : 0.0F);
+                    }
+                }
+            }
+    }
+
+    /// A directory that refers to itself is one page.
+    void circlesOfTiffDirectoriesEnd() {
+        const std::vector<unsigned> values{1, 0, 1, 1, 0, 0, 1, 0};
+        QByteArray bytes = tiffOf({8, 1, 1, 1, 0, false, false}, values);
+        bytes = bytes.chopped(4) + bytes.mid(4, 4);  // the place of the first one
+        QFile file(m_folder.filePath("circle.tif"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        const Image image = readImage(path("circle.tif"));
+        for (std::size_t x = 0; x < 8; ++x)
+            QCOMPARE(image.data[x], values[x] != 0 ? std::byte(0) : std::byte(255));
+    }
+
     void furtherChannelsAndPicturesAreNamed() {
         OIIO::ImageSpec spec(4, 4, 6, OIIO::TypeDesc::HALF);
         spec.channelnames = {"R", "G", "B", "A", "Z", "id"};
@@ -748,6 +881,32 @@ class TestImage : public QObject {
         QVERIFY(read.data == image.data);
         QCOMPARE(read.iccProfile().empty(), !bytes.isEmpty());
         QVERIFY(readImage(path("odd-out.tif")).iccProfile() == image.iccProfile());
+    }
+
+    /// A write that ends before the first pixels, as on Ctrl+C, prints nothing and leaves no file.
+    void abandonedPicturesPrintNothing() {
+        QFile said(m_folder.filePath("said"));
+        QVERIFY(said.open(QIODevice::ReadWrite | QIODevice::Truncate));
+        std::fflush(stderr);
+        const int before = dup(STDERR_FILENO);
+        dup2(said.handle(), STDERR_FILENO);
+        int abandoned = 0;
+        const Image header = chart(300, 200, {PixelType::UInt8, 3, false, false});
+        for (const char* extension : {"png", "tif", "exr", "jpg", "webp", "bmp", "tga", "ppm", "hdr", "jp2"})
+            for (const int rows : {0, 100}) try {
+                    writeImage(path(QStringLiteral("abandoned.") + extension), header, 50,
+                               [rows](int top, Image&) {
+                                   if (top >= rows) throw Cancelled();
+                               });
+                } catch (const Cancelled&) {
+                    ++abandoned;
+                }
+        std::fflush(stderr);
+        dup2(before, STDERR_FILENO);
+        ::close(before);
+        QCOMPARE(abandoned, 20);
+        QCOMPARE(contents(said.fileName()), QByteArray());
+        QVERIFY(!QFile::exists(m_folder.filePath("abandoned.png")));
     }
 
     void orientationIsHonoured_data() {

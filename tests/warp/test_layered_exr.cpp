@@ -19,6 +19,7 @@ class TestLayeredExr : public QObject {
     void everyLayerHasChannels();
     void typesAreKept();
     void namesAreTheirOwn();
+    void longNamesAreShortened();
 
   private:
     std::string at(const char* name) const { return m_folder.filePath(name).toStdString(); }
@@ -76,6 +77,25 @@ void TestLayeredExr::namesAreTheirOwn() {
     const auto layer = [](const char* name) { return LayerToWrite{name, {}}; };
     QCOMPARE(channelNames({layer("a.b"), layer("a b"), layer("Körper"), layer("")}),
              (std::vector<std::string>{"a_b", "a_b_2", "Körper", "layer"}));
+}
+
+/// OpenEXR holds names of 255 bytes, and OpenImageIO writes longer ones without their channels.
+void TestLayeredExr::longNamesAreShortened() {
+    std::string japanese;
+    for (int k = 0; k < 100; ++k) japanese += "頭";
+    const Image picture = plainPicture(4, 3, {200, 100, 50, 255});
+    const std::vector<LayerToWrite> layers{
+        {std::string(300, 'x') + "1", picture}, {std::string(300, 'x') + "2", picture}, {japanese, picture}};
+    writeLayeredExr(at("long.exr"), picture, layers);
+    const auto input = OIIO::ImageInput::open(at("long.exr"));
+    QVERIFY(input != nullptr);
+    QCOMPARE(input->spec().nchannels, 16);
+    const std::vector<std::string> names = channelNames(layers);
+    QVERIFY(names[0] != names[1]);
+    QCOMPARE(names[2], japanese.substr(0, 198));  // whole characters
+    for (const std::string& name : names)
+        QVERIFY(std::ranges::find(input->spec().channelnames, name + ".R") !=
+                input->spec().channelnames.end());
 }
 
 QTEST_GUILESS_MAIN(TestLayeredExr)

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "warp/image.h"
 #include "warp/krita_pixels.h"
+#include "warp/open_raster.h"
 #include "warp/picture_metadata.h"
 
 using namespace wend;
@@ -59,6 +60,7 @@ class TestLayeredFiles : public QObject {
     void layersOfOtherKinds();
     void lzf();
     void damagedTiles();
+    void impossibleOpacities();
     void damagedFiles_data();
     void damagedFiles();
 
@@ -552,6 +554,30 @@ void TestLayeredFiles::damagedTiles() {
         }
     }
     QVERIFY(refused > 5000);
+}
+
+/// Opacities beyond 0 … 1 are limited, also those of groups, and one that is not a number is full.
+void TestLayeredFiles::impossibleOpacities() {
+    const Image picture = readImage(given("layers.ora"));
+    const std::string path = m_folder.filePath("opacities.ora").toStdString();
+    std::vector<LayerToWrite> layers;
+    for (const double opacity : {7.0, std::nan(""), -0.5, 0.25}) {
+        LayerToWrite& layer = layers.emplace_back();
+        layer.name = std::to_string(layers.size());
+        layer.picture = picture;
+        layer.opacity = opacity;
+    }
+    writeOpenRaster(path, layers, picture);
+    std::vector<Message> notices;
+    const Image read = readImage(path, kMaxMegapixels, &notices);
+    std::vector<double> opacities;
+    for (const PictureLayer& layer : fileMetadata(read)->layers) opacities.push_back(layer.opacity);
+    QCOMPARE(opacities, (std::vector<double>{1, 1, 0, 0.25}));
+    QCOMPARE(notices.size(), std::size_t(4));  // the last one: it has layers
+    for (std::size_t k = 0; k < 3; ++k)
+        QVERIFY2(QString::fromStdString(notices[k])
+                     .contains(QString("has a layer \"%1\" with an opacity out of range").arg(k + 1)),
+                 std::string(notices[k]).c_str());
 }
 
 void TestLayeredFiles::damagedFiles_data() {

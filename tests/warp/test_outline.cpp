@@ -349,6 +349,51 @@ class TestOutline : public QObject {
         QVERIFY(a.loops == b.loops);
     }
 
+    /// Steps of pixels have many points of the same cost, in several loops, whose places in memory differ
+    /// from one time to the next.
+    void sameInputSameBitsWithManyLoops() {
+        const Alpha discs = [](double x, double y) {
+            return std::hypot(std::fmod(x, 60) - 30, std::fmod(y, 50) - 25) < 21.3 + y / 60 ? 1.0 : 0.0;
+        };
+        const Image image = picture(480, 300, discs);
+        const auto first = outlineFromAlpha(image);
+        QVERIFY(first.loops.size() > 10);
+        std::vector<std::vector<char>> held;
+        for (int k = 1; k <= 20; ++k) {
+            QVERIFY(outlineFromAlpha(image).loops == first.loops);
+            for (int size = 16; size < 256; size += 8 * k) held.emplace_back(static_cast<std::size_t>(size));
+        }
+    }
+
+    /// Straight edges of tens of thousands of pixels become one segment each, at once.
+    void longEdgesAreSegments_data() {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::addRow("wide") << 30000 << 10;
+        QTest::addRow("tall") << 10 << 30000;
+        QTest::addRow("large") << 6000 << 1500;
+    }
+    void longEdgesAreSegments() {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        const Alpha opaque = [](double, double) { return 1.0; };
+        const auto outline = outlineFromAlpha(picture(width, height, opaque));
+        QCOMPARE(outline.loops.size(), std::size_t(1));
+        QCOMPARE(outline.loops[0].size(), std::size_t(4));
+        QCOMPARE(areaOf(outline), 1.0 * width * height);
+    }
+
+    /// A notch within a long edge keeps its corners.
+    void longEdgesKeepNotches() {
+        const auto notched = without(box(0, 0, 9000, 40), box(4000, 20, 4030, 40));
+        auto options = plain();
+        options.simplify = 0.75;
+        const auto outline = outlineFromAlpha(picture(9000, 40, notched), options);
+        QCOMPARE(outline.loops.size(), std::size_t(1));
+        QVERIFY(std::abs(areaOf(outline) - (9000 * 40 - 30 * 20)) < 25);
+        QVERIFY(outline.loops[0].size() >= 8 && outline.loops[0].size() <= 16);
+    }
+
     void badInputIsRefused() {
         const auto clear = picture(20, 20, [](double, double) { return 0.0; });
         QVERIFY(errorOf([&] { outlineFromAlpha(clear); }).contains("fully transparent"));

@@ -114,7 +114,7 @@ void TestPictureFormat::notRead_data() {
     row("FORM" + QByteArray("\0\0\1\0", 4) + "ILBMBMHD" + zeros, "an IFF file");
     row("PK\3\4" + QByteArray("\x14\0\0\0", 4) + zeros, "a ZIP archive");
     row("%PDF-1.4\n" + zeros, "a PDF document");
-    row("gimp xcf v011" + zeros, "a GIMP picture (XCF)");
+    row("gimp xcf v011" + zeros, "a GIMP picture (XCF; export it from GIMP as PNG or OpenRaster)");
     row("P7\nWIDTH 4\n", "a PAM picture");
     row("qoif" + zeros, "a QOI picture");
     row("RIFF" + QByteArray("\0\0\1\0", 4) + "AVI LIST" + zeros, "a film");

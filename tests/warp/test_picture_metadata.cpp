@@ -1,6 +1,7 @@
 // Metadata of a photograph that violate their bounds.
 
 #include <QBuffer>
+#include <QColorSpace>
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
@@ -78,12 +79,17 @@ quint32 checksum(const QByteArray& bytes) {
     return ~sum;
 }
 
+/// Returns the PNG file with one chunk more, behind its header.
+QByteArray withChunk(const QByteArray& png, const char* name, const QByteArray& data) {
+    constexpr int headerEnd = 33;
+    const QByteArray named = name + data;
+    return png.left(headerEnd) + number(static_cast<quint32>(data.size()), true) + named +
+           number(checksum(named), true) + png.mid(headerEnd);
+}
+
 QByteArray pngWith(const QByteArray& exif) {
     static const QByteArray plain = drawn("PNG");
-    constexpr int headerEnd = 33;
-    const QByteArray named = "eXIf" + exif;
-    return plain.left(headerEnd) + number(static_cast<quint32>(exif.size()), true) + named +
-           number(checksum(named), true) + plain.mid(headerEnd);
+    return withChunk(plain, "eXIf", exif);
 }
 
 const QByteArray kExif("Exif\0\0", 6), kPhotoshop("Photoshop 3.0\0", 14);
@@ -101,6 +107,8 @@ class TestPictureMetadata : public QObject {
     void oddEntries();
     void valuesOfMillions();
     void uselessExif();
+    void textsOfAllLanguages();
+    void profilesLeftOutAreReported();
 
   private:
     std::string put(const QString& name, const QByteArray& bytes) {
@@ -256,6 +264,53 @@ void TestPictureMetadata::uselessExif() {
         QCOMPARE(pngProblem(InputFile(put("u.png", mended))), std::string());
         for (const auto& [name, file] : {std::pair{"u.png", bytes}, {"u.webp", webpWith(block)}})
             QCOMPARE(readImage(put(name, file)).width, kWidth);
+    }
+}
+
+/// Qt writes and reads texts of PNG files as its standard says: tEXt is Latin-1, iTXt is UTF-8.
+void TestPictureMetadata::textsOfAllLanguages() {
+    const QList<std::pair<QString, QString>> texts{{"Title", QString::fromUtf8("頭の絵 🦒")},
+                                                   {"Author", QString::fromUtf8("José Ñandú")},
+                                                   {"Description", QString::fromUtf8("Жираф")},
+                                                   {"Comment", "plain"}};
+    QImage image(kWidth, kHeight, QImage::Format_RGB888);
+    image.fill(Qt::darkGreen);
+    for (const auto& [key, text] : texts) image.setText(key, text);
+    const QString from = m_folder.filePath("texts.png"), to = m_folder.filePath("written.png");
+    QVERIFY(image.save(from));
+    writeImage(to.toStdString(), readImage(from.toStdString()));
+    const QImage written(to);
+    QCOMPARE(written.size(), image.size());
+    for (const auto& [key, text] : texts) QCOMPARE(written.text(key), text);
+    writeImage(m_folder.filePath("by.tif").toStdString(), readImage(from.toStdString()));
+    writeImage(to.toStdString(), readImage(m_folder.filePath("by.tif").toStdString()));
+    QCOMPARE(QImage(to).text("Author"), texts[1].second);
+    QCOMPARE(QImage(to).text("Description"), texts[2].second);
+}
+
+/// libpng drops profiles that it does not like without a word.
+void TestPictureMetadata::profilesLeftOutAreReported() {
+    QImage grey(kWidth, kHeight, QImage::Format_Grayscale8);
+    grey.fill(90);
+    QByteArray greyPng;
+    QBuffer buffer(&greyPng);
+    QVERIFY(grey.save(&buffer, "PNG"));
+    const QByteArray rgb = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
+    const auto noticesOf = [&](const QByteArray& png, const QByteArray& profile) {
+        const QByteArray data = QByteArray("a profile\0\0", 11) + profile;
+        std::vector<Message> notices;
+        readImage(put("profile.png", withChunk(png, "iCCP", data)), kMaxMegapixels, &notices);
+        return notices;
+    };
+    const auto packed = [](const QByteArray& bytes) { return qCompress(bytes).mid(4); };
+    QVERIFY(noticesOf(drawn("PNG"), packed(rgb)).empty());
+    for (const auto& [png, profile] : {std::pair{greyPng, packed(rgb)},
+                                       {drawn("PNG"), packed(rgb.left(200))},
+                                       {drawn("PNG"), packed(QByteArray(500, 'x'))},
+                                       {drawn("PNG"), QByteArray("not compressed")}}) {
+        const std::vector<Message> notices = noticesOf(png, profile);
+        QCOMPARE(notices.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(notices[0]).contains("colour profile that does not fit"));
     }
 }
 

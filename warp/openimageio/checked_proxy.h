@@ -7,7 +7,7 @@
 namespace wend {
 
 /// A checked file as OpenImageIO's writers take it.
-class CheckedProxy final : public OIIO::Filesystem::IOProxy {
+class CheckedProxy : public OIIO::Filesystem::IOProxy {
   public:
     explicit CheckedProxy(const std::string& path) : IOProxy(path, Write), m_file(path) {}
 

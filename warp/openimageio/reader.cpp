@@ -12,7 +12,9 @@
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
+#include "warp/openimageio/png_text.h"
 #include "warp/openimageio/webp.h"
+#include "warp/pixels.h"
 
 namespace wend {
 namespace {
@@ -176,15 +178,14 @@ StoredPicture header(const OIIO::ImageSpec& spec, const PictureSource& source) {
     const auto exrColours = chromaticitiesOf(spec);
     metadata->isOfExr = exrColours.has_value();
     takeColours(source.colours ? source.colours : exrColours, image.colours(), described);
-    if (const OIIO::ParamValue* profile = described.find_attribute("ICCProfile")) {
+    const OIIO::ParamValue* profile = described.find_attribute("ICCProfile");
+    if (profile && profileFits(*profile, image.colours())) {
         const auto* bytes = static_cast<const std::byte*>(profile->data());
-        if (profileFits(*profile, image.colours())) {
-            metadata->iccProfile.assign(bytes, bytes + profile->datasize());
-        } else {
-            described.erase_attribute("ICCProfile");
-            stored.notices.emplace_back(
-                sentence("Core", "has a colour profile that does not fit its colours: it is left out"));
-        }
+        metadata->iccProfile.assign(bytes, bytes + profile->datasize());
+    } else if (profile || source.hasProfile) {
+        described.erase_attribute("ICCProfile");
+        stored.notices.emplace_back(
+            sentence("Core", "has a colour profile that does not fit its colours: it is left out"));
     }
     metadata->leftOut = channelsLeftOut(spec, image.channels);
     described.attribute("Orientation", 1);
@@ -271,9 +272,25 @@ void handOver(const Image& image, PixelSink& sink) {
     }
 }
 
+/// Inverts the colours of pixels; associated ones are inverted within their alpha.
+void invert(const Image& image, std::size_t pixels, void* at) {
+    withPixelType(image.type, [&](auto t) {
+        using T = decltype(t);
+        const auto full = static_cast<T>(kFull<T>);
+        const auto channels = static_cast<std::size_t>(image.channels),
+                   colours = static_cast<std::size_t>(image.colours());
+        auto* value = static_cast<T*>(at);
+        for (std::size_t p = 0; p < pixels; ++p, value += channels) {
+            const T white = image.alpha && !image.unassociated ? value[colours] : full;
+            for (std::size_t c = 0; c < colours; ++c)
+                value[c] = value[c] > white ? T(0) : static_cast<T>(white - value[c]);
+        }
+    });
+}
+
 /// Reads rows from y on, of whole tiles if the file has any.
-bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image& image, int y, int end,
-              void* pixels) {
+bool readRowsAsStored(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image& image, int y,
+                      int end, void* pixels) {
     const OIIO::TypeDesc type = typeDesc(image.type);
     if (spec.tile_width == 0)
         return input.read_scanlines(input.current_subimage(), 0, spec.y + y, spec.y + end, spec.z, 0,
@@ -282,26 +299,35 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Image&
                             spec.y + end, spec.z, spec.z + 1, 0, image.channels, type, pixels);
 }
 
+bool readRows(const PictureSource& source, OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
+              const Image& image, int y, int end, void* pixels) {
+    const bool isRead = readRowsAsStored(input, spec, image, y, end, pixels);
+    if (source.isInverted)
+        invert(image, static_cast<std::size_t>(end - y) * static_cast<std::size_t>(image.width), pixels);
+    return isRead;
+}
+
 /// Reads in strips, so that memory is taken only as real data arrives.
-void readStrips(const std::string& path, OIIO::ImageInput& input, const Image& image, PixelSink& sink) {
+void readStrips(const PictureSource& source, OIIO::ImageInput& input, const Image& image, PixelSink& sink) {
     const OIIO::ImageSpec spec = input.spec();
     const int strip = spec.tile_height > 0 ? spec.tile_height : kStrip;
     std::byte* const room = sink.begin(image, strip);
     for (int y = 0; y < image.height; y += strip) {
         const int end = std::min(y + strip, image.height);
-        requireSuccess(path, input, readRows(input, spec, image, y, end, room));
+        requireSuccess(source.path, input, readRows(source, input, spec, image, y, end, room));
         sink.take(end - y);
     }
 }
 
 /// Reads the stored pixels into their display window.
-void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
+void readWindow(const PictureSource& source, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
     const PixelBox box = image.metadata->stored;
     Image stored = image;
     stored.width = box.width, stored.height = box.height;
     stored.makePixels();
     const OIIO::ImageSpec spec = input.spec();
-    requireSuccess(path, input, readRows(input, spec, stored, 0, stored.height, stored.data.data()));
+    requireSuccess(source.path, input,
+                   readRows(source, input, spec, stored, 0, stored.height, stored.data.data()));
     image.makePixels();
     const PixelBox seen = box.within(image.width, image.height);
     const std::size_t bytes = image.pixelBytes();
@@ -313,9 +339,9 @@ void readWindow(const std::string& path, OIIO::ImageInput& input, Image& image, 
     image.data = {};
 }
 
-void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
+void readPixels(const PictureSource& source, OIIO::ImageInput& input, Image& image, PixelSink& sink) {
     if (isWebp(input)) {
-        if (readWebp(path, image)) {
+        if (readWebp(source.path, image)) {
             handOver(image, sink);
             image.data = {};
             return;
@@ -323,15 +349,24 @@ void readPixels(const std::string& path, OIIO::ImageInput& input, Image& image, 
         image.unassociated = false;  // OpenImageIO's frames of animations are associated
     }
     if (image.metadata->stored.width > 0)
-        readWindow(path, input, image, sink);
+        readWindow(source, input, image, sink);
     else
-        readStrips(path, input, image, sink);
+        readStrips(source, input, image, sink);
 }
 
-/// Returns the file's description, completed by what OpenImageIO leaves to the caller: WebP's metadata, and
-/// one name for the inch.
+/// Makes the Latin-1 texts of a PNG UTF-8, as its other texts are, which OpenImageIO does not tell apart.
+void makeTextsUtf8(OIIO::ImageSpec& spec) {
+    for (OIIO::ParamValue& value : spec.extra_attribs)
+        if (const std::string text = value.get_string(0);
+            value.type() == OIIO::TypeString && !charactersOf(text))
+            value = OIIO::ParamValue(value.name(), utf8OfLatin1(text));
+}
+
+/// Returns the file's description, completed by what OpenImageIO leaves to the caller: WebP's metadata, one
+/// name for the inch, and one encoding of texts.
 OIIO::ImageSpec specOf(const std::string& path, const OIIO::ImageInput& input) {
     OIIO::ImageSpec spec = input.spec();
+    if (std::string_view(input.format_name()) == "png") makeTextsUtf8(spec);
     if (spec.get_string_attribute("ResolutionUnit") == "inch") spec.attribute("ResolutionUnit", "in");
     if (keepsColours(input)) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!isWebp(input)) return spec;
@@ -409,7 +444,7 @@ StoredPicture readStored(const PictureSource& source, double maxMegapixels, Pixe
     requireSensible(path, input->spec(), source.format, maxMegapixels);
     const OIIO::ImageSpec spec = specOf(path, *input);
     StoredPicture stored = header(spec, source);
-    readPixels(path, *input, stored.image, sink);
+    readPixels(source, *input, stored.image, sink);
     setPictures(source, stored.image);
     tellOfFile(spec, source.namesExtraSamples, stored);
     return stored;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -11,6 +11,7 @@
 #include "warp/openimageio/icc_profile.h"
 #include "warp/openimageio/image_metadata.h"
 #include "warp/openimageio/picture_codecs.h"
+#include "warp/openimageio/png_text.h"
 #include "warp/openimageio/webp.h"
 #include "warp/picture_metadata.h"
 
@@ -141,17 +142,40 @@ Attempt tryWriteTiff(OIIO::ImageOutput& output, const PictureToWrite& writing, c
     return {problem};
 }
 
+/// Writes black rows until some pixels are in the file: libpng prints a line of its own when a file without
+/// any is closed.
+void avoidEmptyPng(OIIO::ImageOutput& output, const PngTextProxy& proxy, const OIIO::ImageSpec& spec) {
+    const std::string row(spec.scanline_bytes(), '\0');
+    for (int y = spec.y; y < spec.y + spec.height && !proxy.hasPixels(); ++y)
+        if (!output.write_scanline(y, spec.z, spec.format, row.data())) break;
+    output.geterror();  // which is of no interest
+}
+
 /// Writes through a file object that checks, because no format library reports a full disk in every case, and
 /// that of JPEG ends the process.
 Attempt tryWrite(const PictureToWrite& writing, OIIO::ImageSpec spec) {
-    std::optional<CheckedProxy> proxy;  // outlives the output, whose destructor may write
+    PngTextProxy* png = nullptr;
+    std::unique_ptr<CheckedProxy> proxy;  // outlives the output, whose destructor may write
     const std::unique_ptr<OIIO::ImageOutput> output(codecOf(writing.format).writer());
     if (writing.format == PictureFormat::Tiff) return tryWriteTiff(*output, writing, spec);
-    OIIO::Filesystem::IOProxy* const pointer = &proxy.emplace(writing.temporary);
+    if (writing.format == PictureFormat::Png) {
+        auto texts = std::make_unique<PngTextProxy>(writing.temporary);
+        png = texts.get();
+        proxy = std::move(texts);
+    } else {
+        proxy = std::make_unique<CheckedProxy>(writing.temporary);
+    }
+    OIIO::Filesystem::IOProxy* const pointer = proxy.get();
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
     std::size_t sum = 0;
     const auto failed = [&] { return proxy->file().failed(); };
-    const Message problem = tryWriteTo(*output, failed, writing, spec, sum);
+    Message problem;
+    try {
+        problem = tryWriteTo(*output, failed, writing, spec, sum);
+    } catch (...) {
+        if (png) avoidEmptyPng(*output, *png, spec);
+        throw;
+    }
     if (const std::string reason = proxy->file().finish(); !reason.empty()) return {reason, true};
     return {problem.isEmpty() ? tryToReadBack(writing, spec, spec.height - 1, sum) : problem};
 }

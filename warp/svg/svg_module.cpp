@@ -111,7 +111,7 @@ class SvgDrawing {
     SvgDrawing(const std::string& svg, const DrawnSize& size) {
         needApplication();
         if (!m_document.load_buffer(svg.data(), svg.size(), pugi::parse_default | pugi::parse_ws_pcdata))
-            throw InputError("is no sound XML");
+            throw InputError("is damaged (not valid XML)");
         m_layers = layersIn(layerParent(m_document.document_element()));
         const QSvgRenderer renderer(bytesOf(svg));
         if (!renderer.isValid() || renderer.defaultSize().isEmpty())

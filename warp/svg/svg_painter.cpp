@@ -104,7 +104,7 @@ double scaleOf(pugi::xml_node node) {
 double opacityOf(const pugi::xml_node& node) {
     const std::string value = valueOf(styleOf(node, {}), "opacity", "1");
     const double number = std::strtod(value.c_str(), nullptr);
-    return std::clamp(value.ends_with('%') ? number / 100 : number, 0.0, 1.0);
+    return std::isnan(number) ? 1 : std::clamp(value.ends_with('%') ? number / 100 : number, 0.0, 1.0);
 }
 
 /// Returns whether an element has several shapes, or one with a stroke, which overlap.

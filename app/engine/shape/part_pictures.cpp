@@ -339,7 +339,8 @@ class SheetMaker {
                                           : PartCut{from.picture, from.at, part.cut, part.feather, part.fill,
                                                     cutOut(part, from, m_notices, m_stop)});
         } catch (const InputError& error) {
-            throw error.named("domain.parts[" + std::to_string(i) + "]");
+            if (!error.file().empty()) throw;
+            throw InputError("domain.parts[" + std::to_string(i) + "]: " + error.message());
         }
         m_pictures.sheets[i] = m_pictures.cuts.back().pictures.taken;
         m_pictures.sheets[i].opacity = part.opacity;

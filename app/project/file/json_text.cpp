@@ -1,8 +1,10 @@
 #include "app/project/file/json_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "app/project/options/options.h"
@@ -50,6 +52,21 @@ std::string bareReason(std::string what) {
     return what;
 }
 
+/// Returns where the number is that is too large: the library names it, but not its place.
+std::string placeOfOverflow(const std::string& text, const std::string& reason) {
+    const auto begin = reason.find('\''), end = reason.rfind('\'');
+    if (begin == end) return {};
+    const std::string number = reason.substr(begin + 1, end - begin - 1);
+    const auto continues = [&](std::size_t at) {
+        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 ||
+                                    std::string_view(".+-\"").find(text[at]) != std::string_view::npos);
+    };
+    auto at = text.find(number);
+    while (at != std::string::npos && (continues(at - 1) || continues(at + number.size())))
+        at = text.find(number, at + 1);
+    return at == std::string::npos ? "" : placeOf(text, at + 1) + ": ";
+}
+
 class Printer {
   public:
     std::string print(const Json& json) {
@@ -59,6 +76,7 @@ class Printer {
 
   private:
     static std::string number(double value) {
+        if (!std::isfinite(value)) return "null";  // as the library writes it
         if (value == 0 && std::signbit(value)) return "-0.0";
         return shortNumber(value);
     }
@@ -137,7 +155,8 @@ Json parseJson(const std::string& text, const std::string& path) try {
     throw InputError(path,
                      "is not valid JSON: " + placeOf(text, error.byte) + ": " + bareReason(error.what()));
 } catch (const Json::exception& error) {
-    throw InputError(path, "is not valid JSON: " + bareReason(error.what()));
+    const std::string reason = bareReason(error.what());
+    throw InputError(path, "is not valid JSON: " + placeOfOverflow(text, reason) + reason);
 }
 
 std::string prettyJson(const Json& json) try {

@@ -10,6 +10,7 @@
 #include "tests/app/cli/cli_harness.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/pictures.h"
+#include "warp/convert.h"
 
 using namespace wend;
 
@@ -48,6 +49,8 @@ class TestCli : public QObject {
     void endOfTheLastMotion();
     void endBeforeTheMotions();
     void strict();
+    void roundedNumbersAreReported_data();
+    void roundedNumbersAreReported();
     void meshCommand();
     void surfaceCommand();
     void infoOfPicture();
@@ -641,6 +644,53 @@ void TestCli::strict() {
     QCOMPARE(jsonFile("wild.json")["notices"].toArray(), told);
 }
 
+void TestCli::roundedNumbersAreReported_data() {
+    QTest::addColumn<QString>("input");
+    QTest::addColumn<QString>("output");
+    QTest::addColumn<QString>("notice");
+    const QString rounded("does not hold numbers of this depth"), dark("holds no negative light"), none;
+    for (const char* output : {"o.webp", "o.jpg", "o.bmp", "o.tga", "o.ppm"})
+        QTest::addRow("16 bits, %s", output) << "deep.tif" << output << rounded;
+    for (const char* output : {"o.png", "o.tif", "o.exr"})
+        QTest::addRow("16 bits, %s", output) << "deep.tif" << output << none;
+    for (const char* output : {"o.png", "o.jp2"})
+        QTest::addRow("floats, %s", output) << "float.tif" << output << rounded;
+    for (const char* output : {"o.tif", "o.exr"})
+        QTest::addRow("floats, %s", output) << "float.tif" << output << none;
+    QTest::addRow("negative light") << "float.tif"
+                                    << "o.hdr" << dark;
+    QTest::addRow("16 bits, o.hdr") << "deep.tif"
+                                    << "o.hdr" << rounded;
+    for (const char* output : {"o.exr", "o.hdr"})
+        QTest::addRow("8 bits, %s", output) << "shallow.png" << output << none;
+}
+void TestCli::roundedNumbersAreReported() {
+    QFETCH(QString, input);
+    QFETCH(QString, output);
+    QFETCH(QString, notice);
+    const PixelType type = input == "deep.tif"    ? PixelType::UInt16
+                           : input == "float.tif" ? PixelType::Float
+                                                  : PixelType::UInt8;
+    Image image = converted(test::plainPicture(40, 40, {90, 180, 30}), {type, 3, false, false});
+    if (type == PixelType::Float) reinterpret_cast<float*>(image.row(7))[12] = -0.5F;
+    writeImage(file(qPrintable(input)), image);
+    putProject(
+        path(), "numbers.wend",
+        "'domain': {'image': '" + input.toStdString() + "', 'outline': {'from': 'frame'}, 'vertices': 40}");
+    const CliResult made = run({"run", "numbers.wend", "--image", output, "--report", "numbers.json"});
+    QCOMPARE(made.code, 0);
+    const QJsonArray notices = jsonFile("numbers.json")["notices"].toArray();
+    QVERIFY(notices.size() == (notice.isEmpty() ? 0 : 1));
+    const CliResult copied = run({"convert", input, output});
+    QCOMPARE(copied.code, 0);
+    QCOMPARE(copied.error.isEmpty(), notice.isEmpty());
+    QCOMPARE(run({"run", "numbers.wend", "--image", output, "--strict"}).code, notice.isEmpty() ? 0 : 3);
+    if (notice.isEmpty()) return;
+    QVERIFY2(notices[0].toString().startsWith(output + ": the format " + notice),
+             qPrintable(notices[0].toString()));
+    QVERIFY2(copied.error.contains(output + ": the format " + notice), qPrintable(copied.error));
+}
+
 void TestCli::meshCommand() {
     succeed({"mesh", "disc.png", "-o", "disc.obj", "--vertices", "600"});
     QVERIFY(std::abs(pointsOf(*sharedMeshFile(file("disc.obj"))).cols() - 600) <= 60);
@@ -692,6 +742,18 @@ void TestCli::infoOfPicture() {
     const double area = info["outline"]["each"][0]["area"].toDouble(), disc = std::numbers::pi * 80 * 80;
     QVERIFY2(area > disc && area < 1.15 * disc, qPrintable(QString::number(area)));
     QVERIFY(run({"info", "disc.png"}).out.contains("width: 200\n"));
+    // Layers are listed from front to back, whatever their format.
+    const auto namesIn = [&](const char* layered) {
+        const QString picture = QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/") + layered;
+        const auto json = QJsonDocument::fromJson(run({"info", picture, "--json"}).out.toUtf8());
+        QStringList names;
+        for (const QJsonValue& layer : json["layers"].toArray()) names << layer["name"].toString();
+        return names;
+    };
+    const QString body = QString::fromUtf8("Körper");
+    QCOMPARE(namesIn("layers.psd"), (QStringList{"arm", "masked", body}));
+    QCOMPARE(namesIn("layers.ora"), (QStringList{"head", "arm & hand", body}));
+    QCOMPARE(namesIn("layers.kra").last(), body);
 }
 
 void TestCli::infoOfBadMesh() {
@@ -761,6 +823,10 @@ void TestCli::convert() {
     QCOMPARE(readImage(file("disc.tif")).data, readImage(file("disc.png")).data);
     QVERIFY(run({"convert", "disc.png", "disc.jpg"}).error.contains("no transparency"));
     QVERIFY(run({"convert", "strip.obj", "-"}).out.contains("VTKFile"));
+    // Layers, and what is written, are named with the file once.
+    const QString layers = QStringLiteral(WEND_SOURCE_DIR "/tests/data/pictures/layers.ora");
+    const QString notice = run({"convert", layers, "flat.png"}).error;
+    QVERIFY2(notice.startsWith("wend: " + layers + ": has 3 layers"), qPrintable(notice));
     QCOMPARE(run({"convert", "strip.obj"}).code, 2);
     QCOMPARE(run({"convert", "strip.obj", "./strip.obj"}).code, 2);
     QCOMPARE(run({"convert", "strip.obj", "strip.xyz"}).code, 3);

@@ -63,6 +63,14 @@ void TestCliErrors::putMeshes() {
     const std::string base = path().toStdString();
     writeMesh<2>(base + "/strip.obj", stripMesh(10, 2));
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    const std::string svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' width='80' height='60' "
+        "xmlns:xlink='http://www.w3.org/1999/xlink'>";
+    put(path(), "cycle.svg",
+        svg +
+            "<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><rect width='30' "
+            "height='20'/></svg>");
+    put(path(), "damaged.svg", svg + "<g><rect width='30' height='20'/>");
     put(path(), "tetrahedron.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");  // a tetrahedron
     put(path(), "nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -270,6 +278,17 @@ void TestCliErrors::badInput_data() {
     QTest::newRow("empty") << " " << QStringList{"run", "p.wend"} << "p.wend: is empty";
     QTest::newRow("broken") << "{\n \"format\": \"wend\",\n}" << QStringList{"run", "p.wend"}
                             << "p.wend: is not valid JSON: line 3";
+    QTest::newRow("number too large")
+        << "{\n \"format\": \"wend\", \"x1e999\": 1,\n \"version\": 1e999}" << QStringList{"run", "p.wend"}
+        << "p.wend: is not valid JSON: line 3, column 13: number overflow";
+    row("cut beside its part",
+        "'domain': {'parts': [{'name': 'a', 'cut': {'from': 'b', 'polygons': [[[900, 900], [990, 900], [990, "
+        "990]]]}}, {'name': 'b', 'image': 'disc.png'}]}",
+        "p.wend: domain.parts[0]: the cut is outside of");
+    row("cycle of a drawing", "'domain': {'image': 'cycle.svg', 'outline': {'from': 'frame'}}",
+        "cycle.svg: uses its \"b\" within itself", {"--image", "out.svg"});
+    row("damaged drawing", "'domain': {'image': 'damaged.svg', 'outline': {'from': 'frame'}}",
+        "damaged.svg: is damaged (not valid XML)");
     row("unknown kind", kDisc + ", 'handles': [{'at': {'points': [[1, 2]]}, 'motion': [{'kind': 'jump'}]}]",
         "p.wend: handles[0].motion[0].kind: unknown value");
     row("no drawing", kDisc, "no.svg: the project's picture is no SVG drawing", {"--image", "no.svg"});

@@ -131,9 +131,9 @@ void TestSaid::picturesThatAreNotRead() {
     speak(QStringLiteral("de"));
     QCOMPARE(
         saidOf([&] { readImage(path.toStdString()); }),
-        path + QStringLiteral(": ist ein GIMP-Bild (XCF). Wend öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, "
-                              "OpenRaster, Krita, SVG, HEIC, AVIF, JPEG 2000, Kamera-Rohdaten und andere "
-                              "Bilder"));
+        path + QStringLiteral(": ist ein GIMP-Bild (XCF; aus GIMP als PNG oder OpenRaster exportieren). Wend "
+                              "öffnet PNG, JPEG, TIFF, EXR, WebP, GIF, PSD, OpenRaster, Krita, SVG, HEIC, "
+                              "AVIF, JPEG 2000, Kamera-Rohdaten und andere Bilder"));
 }
 
 void TestSaid::stops() {
