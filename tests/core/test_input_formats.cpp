@@ -97,6 +97,7 @@ class TestInputFormats : public QObject {
     void glbOfOurOwn();
     void glbFarFromTheOrigin();
     void glbOfNodes();
+    void longChainOfNodes();
     void glbOfKinds_data();
     void glbOfKinds();
     void badGlb_data();
@@ -172,6 +173,18 @@ void TestInputFormats::glbOfNodes() {
     QCOMPARE(mesh.groups[1].cells, (std::vector<int>{2, 3}));
 }
 
+/// Each of 50,000 nodes is the only child of the one before, moved by one along x.
+void TestInputFormats::longChainOfNodes() {
+    constexpr int kCount = 50000;
+    std::string nodes;
+    for (int k = 1; k < kCount; ++k)
+        nodes += "{'translation': [1, 0, 0], 'children': [" + std::to_string(k) + "]}, ";
+    put("chain.glb", square(nodes + "{'mesh': 0}", kTriangles));
+    const MeshFile mesh = readMeshFile(file("chain.glb"));
+    QCOMPARE(mesh.triangles.size(), std::size_t(2));
+    QCOMPARE(Vec3(mesh.points.col(0)), Vec3(kCount - 1, 0, 0));
+}
+
 void TestInputFormats::glbOfKinds_data() {
     QTest::addColumn<QString>("primitive");
     QTest::addColumn<int>("triangles");
@@ -215,6 +228,10 @@ void TestInputFormats::badGlb_data() {
     row("beyond the file",
         square("{'mesh': 0}", kTriangles).replace(whole.find("\"count\":"), 11, "\"count\": 9,"),
         "accessor 0 reaches beyond the file");
+    row("deep JSON",
+        square("{'mesh': 0}", kTriangles,
+               ", 'extras': " + std::string(100000, '[') + std::string(100000, ']')),
+        "its JSON is nested too deep");
     row("compressed",
         square("{'mesh': 0}", kTriangles, ", 'extensionsRequired': ['KHR_draco_mesh_compression']"),
         "is compressed by 'KHR_draco_mesh_compression'");

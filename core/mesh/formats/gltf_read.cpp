@@ -25,6 +25,16 @@ namespace {
 using Json = nlohmann::json;
 using Transform = Eigen::Matrix4d;
 
+constexpr int kDeepestJson = 64;  // copies of deeper texts would exhaust the stack
+
+/// Parses JSON. Throws InputError if it is nested deeper than any glTF file needs.
+Json shallowJson(std::string_view text) {
+    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+        if (depth > kDeepestJson) throw InputError("its JSON is nested too deep");
+        return true;
+    });
+}
+
 struct Chunks {
     std::string_view json, binary;
 };
@@ -151,13 +161,11 @@ class GltfReader {
 
     /// Reads the nodes of the default scene, which is the first one if none is named.
     void read() try {
-        m_gltf = Json::parse(m_chunks.json);
+        m_gltf = shallowJson(m_chunks.json);
         requireReadable();
         const auto scenes = m_gltf.value("scenes", Json::array());
         const auto scene = m_gltf.value("scene", std::size_t(0));
-        if (scene < scenes.size())
-            for (const Json& node : scenes[scene].value("nodes", Json::array()))
-                readNode(node.get<std::size_t>(), Transform::Identity());
+        if (scene < scenes.size()) readNodes(scenes[scene].value("nodes", Json::array()));
         collectPoints();
         addGroups();
         addNotices();
@@ -214,24 +222,38 @@ class GltfReader {
         return transform;
     }
 
-    /// Reads a node's mesh with the node's transform, and then its children.
-    void readNode(std::size_t index, const Transform& parent) {
+    /// Reads the nodes of these numbers, each followed by its children. A list stands for recursion: chains
+    /// may be as long as the file.
+    void readNodes(const Json& roots) {
+        std::vector<std::pair<std::size_t, Transform>> waiting;
+        const auto append = [&](const Json& numbers, const Transform& parent) {
+            const auto end = static_cast<std::ptrdiff_t>(waiting.size());
+            for (const Json& number : numbers) waiting.emplace_back(number.get<std::size_t>(), parent);
+            std::reverse(waiting.begin() + end, waiting.end());
+        };
+        append(roots, Transform::Identity());
+        while (!waiting.empty()) {
+            const auto [index, parent] = waiting.back();
+            waiting.pop_back();
+            const Json& node = m_gltf.at("nodes").at(index);
+            const Transform transform = parent * transformOf(node);
+            readNode(index, node, transform);
+            append(node.value("children", Json::array()), transform);
+        }
+    }
+    /// Reads a node's mesh with the node's transform.
+    void readNode(std::size_t index, const Json& node, const Transform& transform) {
         if (!m_visited.insert(index).second)
             throw InputError("node " + std::to_string(index) + " is in the scene twice");
-        const Json& node = m_gltf.at("nodes").at(index);
-        const Transform transform = parent * transformOf(node);
-        if (node.contains("mesh")) {
-            const auto mesh = node["mesh"].get<std::size_t>();
-            m_places.clear();
-            const int first = m_file.cells.size();
-            for (const Json& primitive : m_gltf.at("meshes").at(mesh).at("primitives"))
-                readPrimitive(primitive, transform);
-            std::string name = node.value("name", std::string());
-            if (name.empty()) name = m_gltf["meshes"][mesh].value("name", std::string());
-            m_nodes.push_back({std::move(name), first, m_file.cells.size()});
-        }
-        for (const Json& child : node.value("children", Json::array()))
-            readNode(child.get<std::size_t>(), transform);
+        if (!node.contains("mesh")) return;
+        const auto mesh = node["mesh"].get<std::size_t>();
+        m_places.clear();
+        const int first = m_file.cells.size();
+        for (const Json& primitive : m_gltf.at("meshes").at(mesh).at("primitives"))
+            readPrimitive(primitive, transform);
+        std::string name = node.value("name", std::string());
+        if (name.empty()) name = m_gltf["meshes"][mesh].value("name", std::string());
+        m_nodes.push_back({std::move(name), first, m_file.cells.size()});
     }
 
     /// Reads a primitive: its points, its cells, its texture points and its material.
