@@ -6,6 +6,7 @@
 #include "core/mesh/formats/gltf_read.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -256,7 +257,8 @@ class GltfReader {
         m_nodes.push_back({std::move(name), first, m_file.cells.size()});
     }
 
-    /// Reads a primitive: its points, its cells, its texture points and its material.
+    /// Reads a primitive: its points, its cells, its texture points and its material. Triangles that the
+    /// transform mirrors are turned over, so that they face outwards again (glTF 2.0, 3.7.4).
     void readPrimitive(const Json& primitive, const Transform& transform) {
         const Json& attributes = primitive.at("attributes");
         if (!attributes.contains("POSITION")) return;
@@ -271,7 +273,9 @@ class GltfReader {
         const int firstCell = m_file.cells.size(), firstTexture = static_cast<int>(m_texture.size() / 2);
         const bool textured = readTexture(attributes, positions.count());
         readColours(attributes, vertexOf);
-        for (const auto& [kind, corners] : cellsOf(primitive.value("mode", 4), order)) {
+        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
+        for (auto& [kind, corners] : cellsOf(primitive.value("mode", 4), order)) {
+            if (isMirrored && kind == CellKind::Triangle) std::swap(corners[1], corners[2]);
             std::vector<int> cell;
             for (const std::size_t corner : corners) cell.push_back(vertexOf[corner]);
             m_file.cells.add(kind, cell);
