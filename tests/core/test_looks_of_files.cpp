@@ -70,6 +70,9 @@ class TestLooksOfFiles : public QObject {
     void normalsOfObj();
     void normalsOfCornersAreTold();
     void longWholeNumbers();
+    void namesThatWouldBeEqual_data();
+    void namesThatWouldBeEqual();
+    void fieldsThatWouldBeEqual();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
     void valuesThatFormatsLack();
@@ -226,6 +229,84 @@ void TestLooksOfFiles::longWholeNumbers() {
     for (const QByteArray& number : QByteArray::fromStdString(numbers).split(' '))
         QVERIFY2(last.contains(number + '\n'), number);
     QVERIFY(last.contains("\n1152921504606846979\n"));
+}
+
+void TestLooksOfFiles::namesThatWouldBeEqual_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("first");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<QStringList>("names");
+    const QString many(80, 'x'), accents = QString(39, 'x') + QString(22, QChar(0xe9));
+    QTest::newRow("blank") << "a.obj"
+                           << "a b"
+                           << "a_b" << QStringList{"a_b_2", "a_b"};
+    QTest::newRow("comma") << "a.inp"
+                           << "a,b"
+                           << "a_b" << QStringList{"a_b_2", "a_b"};
+    QTest::newRow("case") << "a.inp"
+                          << "Fix"
+                          << "FIX" << QStringList{"Fix", "FIX_2"};
+    QTest::newRow("long in MED") << "a.med" << many + "1" << many + "2"
+                                 << QStringList{many, many.left(78) + "_2"};
+    QTest::newRow("letters of two bytes") << "a.med" << accents + "1" << accents + "2"
+                                          << QStringList{QString(39, 'x') + QString(20, QChar(0xe9)),
+                                                         QString(39, 'x') + QString(19, QChar(0xe9)) + "_2"};
+    QTest::newRow("quotes") << "a.msh"
+                            << "a \"b\""
+                            << "a 'b'" << QStringList{"a 'b'_2", "a 'b'"};
+    QTest::newRow("different") << "a.inp"
+                               << "left"
+                               << "right" << QStringList{"left", "right"};
+}
+
+/// Two triangles in groups of these names are in two groups of other names behind a file, and a notice names
+/// those that got a number.
+void TestLooksOfFiles::namesThatWouldBeEqual() {
+    QFETCH(QString, file);
+    QFETCH(QString, first);
+    QFETCH(QString, second);
+    QFETCH(QStringList, names);
+    const samples::Folder folder;
+    MeshFile mesh =
+        readMeshFile(folder.put("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+    mesh.groups = {{first.toStdString(), 2, 0, {0}, {}}, {second.toStdString(), 2, 0, {1}, {}}};
+    const std::string path = folder.path(file.toStdString()), lost = lostInFile(path, mesh, {});
+    writeMeshFile(path, mesh);
+    const MeshFile back = readMeshFile(path);
+    QStringList found;
+    for (const MeshGroup& group : back.groups) {
+        QCOMPARE(group.cells.size(), std::size_t(1));
+        found.push_back(QString::fromStdString(group.name));
+    }
+    found.sort();
+    QStringList sorted = names;
+    sorted.sort();
+    QCOMPARE(found, sorted);
+    for (const MeshGroup& group : back.groups)
+        QCOMPARE(QString::fromStdString(group.name), names[group.cells[0]]);
+    const QString numbered = names.filter("_2").join("");
+    if (numbered.isEmpty())
+        QVERIFY2(lost.empty(), lost.c_str());
+    else
+        QVERIFY2(QString::fromStdString(lost).endsWith(
+                     "1 group is renamed, because another has the same name there (" + numbered + ")"),
+                 lost.c_str());
+}
+
+void TestLooksOfFiles::fieldsThatWouldBeEqual() {
+    const samples::Folder folder;
+    MeshFile mesh = readMeshFile(folder.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"));
+    mesh.fields = {{"a b", false, 1, {1, 2, 3}}, {"a_b", false, 1, {4, 5, 6}}, {"a b", true, 1, {7}}};
+    for (MeshField& field : mesh.fields)
+        if (field.perCell) field.ofCells = field.values;
+    writeMeshFile(folder.path("a.ply"), mesh);
+    const MeshFile back = readMeshFile(folder.path("a.ply"));
+    QCOMPARE(valuesOf(back, "a_b_2"), (std::vector<double>{1, 2, 3}));
+    QCOMPARE(valuesOf(back, "a_b"), (std::vector<double>{4, 5, 6}));
+    QCOMPARE(valuesOf(back, "a_b", true), std::vector<double>{7});
+    const std::string lost = lostInFile("a.ply", mesh, {});
+    QVERIFY2(lost.ends_with("1 field is renamed, because another has the same name there (a_b_2)"),
+             lost.c_str());
 }
 
 void TestLooksOfFiles::attributesOfTetgenAreKept() {
