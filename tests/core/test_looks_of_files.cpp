@@ -70,6 +70,8 @@ class TestLooksOfFiles : public QObject {
     void normalsOfObj();
     void normalsOfCornersAreTold();
     void longWholeNumbers();
+    void textureOfCorners();
+    void textureOfSomeFaces();
     void namesThatWouldBeEqual_data();
     void namesThatWouldBeEqual();
     void fieldsThatWouldBeEqual();
@@ -229,6 +231,85 @@ void TestLooksOfFiles::longWholeNumbers() {
     for (const QByteArray& number : QByteArray::fromStdString(numbers).split(' '))
         QVERIFY2(last.contains(number + '\n'), number);
     QVERIFY(last.contains("\n1152921504606846979\n"));
+}
+
+namespace {
+
+/// Returns u and v of the corners of all faces of an OBJ file, read word by word; (−1, −1) where there are
+/// none.
+std::vector<std::pair<double, double>> cornersOfObj(const QByteArray& text) {
+    std::vector<std::pair<double, double>> points, corners;
+    for (const QByteArray& line : text.split('\n')) {
+        const QList<QByteArray> words = line.simplified().split(' ');
+        if (words[0] == "vt") points.emplace_back(words[1].toDouble(), words[2].toDouble());
+        if (words[0] != "f") continue;
+        for (const QByteArray& word : words.mid(1)) {
+            const QList<QByteArray> numbers = word.split('/');
+            const int number = numbers.size() > 1 ? numbers[1].toInt() : 0;
+            corners.push_back(number > 0 ? points[static_cast<std::size_t>(number) - 1]
+                                         : std::pair(-1., -1.));
+        }
+    }
+    return corners;
+}
+
+/// A pyramid of three triangles and a square without its base; each vertex has other texture points in every
+/// face.
+const std::string kCorners =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 4\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+    "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+    "3 0 2 1 6 0 0 1 0 0 1\n3 0 1 3 6 .5 0 1 .5 1 1\n3 1 2 3 6 0 .25 1 0 0 1\n3 2 0 3 6 0 0 .75 0 1 1\n";
+
+}  // namespace
+
+/// Several texture points of a vertex are kept by OBJ, PLY and glTF; other formats hold the first.
+void TestLooksOfFiles::textureOfCorners() {
+    const samples::Folder folder;
+    const std::vector<std::pair<double, double>> expected{
+        {0, 0}, {1, 0}, {0, 1}, {.5, 0}, {1, .5}, {1, 1}, {0, .25}, {1, 0}, {0, 1}, {0, 0}, {.75, 0}, {1, 1}};
+    const MeshFile file = readMeshFile(folder.put("a.ply", kCorners));
+    QCOMPARE(Eigen::Vector2d(file.uv.col(0)), Eigen::Vector2d(0, 0));  // the first of the vertex
+    for (const auto& [name, encoding] : {std::pair("b.ply", MeshWriteOptions::Encoding::Text),
+                                         std::pair("c.ply", MeshWriteOptions::Encoding::Binary)}) {
+        QVERIFY(lostInFile(name, file, {}).empty());
+        writeMeshFile(folder.path(name), file, {encoding, false, false, 4});
+        writeMeshFile(folder.path("d.obj"), readMeshFile(folder.path(name)));
+        QVERIFY(cornersOfObj(bytesOf(folder.path("d.obj"))) == expected);
+    }
+    QVERIFY(lostInFile("d.obj", file, {}).empty());
+    const MeshFile again = readMeshFile(folder.path("d.obj"));
+    writeMeshFile(folder.path("e.obj"), again);
+    QVERIFY(cornersOfObj(bytesOf(folder.path("e.obj"))) == expected);
+    for (const MeshFile& one : {file, again})
+        QCOMPARE(lostInFile("a.vtu", one, {}),
+                 std::string("texture coordinates that differ between the faces of a vertex are not in a VTU "
+                             "(ParaView) file"));
+    const Skin skin = readSkin(folder.path("a.ply"));
+    QVERIFY(lostInSkin("a.glb", skin, {}).empty());
+    writeSkin(folder.path("a.glb"), skin, skin.points);
+    writeMeshFile(folder.path("f.obj"), readMeshFile(folder.path("a.glb")));
+    QVERIFY(cornersOfObj(bytesOf(folder.path("f.obj"))) == expected);
+}
+
+/// Only the first of the faces has texture points.
+void TestLooksOfFiles::textureOfSomeFaces() {
+    const samples::Folder folder;
+    const MeshFile file =
+        readMeshFile(folder.put("a.obj",
+                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                "f 1/1 3/3 2/2\nf 1 2 4\nl 3 4\n"));
+    const std::vector<std::pair<double, double>> expected{{0, 0},   {0, 1},   {1, 0},
+                                                          {-1, -1}, {-1, -1}, {-1, -1}};
+    QVERIFY(lostInFile("b.obj", file, {}).empty());
+    writeMeshFile(folder.path("b.obj"), file);
+    QVERIFY(cornersOfObj(bytesOf(folder.path("b.obj"))) == expected);
+    QVERIFY(lostInFile("c.ply", file, {}).empty());
+    writeMeshFile(folder.path("c.ply"), file);
+    writeMeshFile(folder.path("d.obj"), readMeshFile(folder.path("c.ply")));
+    QVERIFY(cornersOfObj(bytesOf(folder.path("d.obj"))) == expected);
+    QCOMPARE(lostInFile("e.vtp", file, {}),
+             std::string("texture coordinates that only some faces have are not in a VTP (ParaView) file"));
 }
 
 void TestLooksOfFiles::namesThatWouldBeEqual_data() {

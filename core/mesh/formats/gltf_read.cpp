@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -17,6 +18,7 @@
 #include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/colours.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -282,6 +284,7 @@ class GltfReader {
             if (kind != CellKind::Triangle) continue;
             m_materialOfTriangle.push_back(primitive.value("material", -1));
             m_hasTexture = m_hasTexture && textured;
+            m_isTextured.push_back(textured);
             m_textureCorners.push_back({firstTexture + static_cast<int>(corners[0]),
                                         firstTexture + static_cast<int>(corners[1]),
                                         firstTexture + static_cast<int>(corners[2])});
@@ -381,7 +384,7 @@ class GltfReader {
         return cells;
     }
 
-    /// Collects the points, and for each the first texture point of its corners.
+    /// Collects the points with their colours, and the texture points of corners.
     void collectPoints() {
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3,
                                                            static_cast<Eigen::Index>(m_points.size() / 3));
@@ -390,20 +393,19 @@ class GltfReader {
             for (const auto& [vertex, colour] : m_colours) colours[static_cast<std::size_t>(vertex)] = colour;
             addColours(m_file, colours, false);
         }
-        if (!hasTexture()) return;
-        m_file.uv = Eigen::Matrix2Xd::Zero(2, m_file.points.cols());
-        std::vector<char> isSet(static_cast<std::size_t>(m_file.points.cols()), 0);
+        if (m_textureCorners.empty() || m_texture.empty()) return;
+        std::vector<double> uv(2 * m_file.cells.nodes.size(), std::numeric_limits<double>::quiet_NaN());
         std::size_t t = 0;
         for (int c = 0; c < m_file.cells.size(); ++c) {
             if (m_file.cells.kinds[static_cast<std::size_t>(c)] != CellKind::Triangle) continue;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int v = m_file.cells[c][k];
-                const auto at = static_cast<std::size_t>(2 * m_textureCorners[t][k]);
-                if (!isSet[static_cast<std::size_t>(v)]) m_file.uv.col(v) << m_texture[at], m_texture[at + 1];
-                isSet[static_cast<std::size_t>(v)] = 1;
-            }
+            const auto first = 2 * static_cast<std::size_t>(m_file.cells.begins[static_cast<std::size_t>(c)]);
+            for (std::size_t k = 0; k < 3 && m_isTextured[t]; ++k)
+                for (std::size_t j = 0; j < 2; ++j)
+                    uv[first + 2 * k + j] =
+                        m_texture[static_cast<std::size_t>(2 * m_textureCorners[t][k]) + j];
             ++t;
         }
+        setCornerUv(m_file, std::move(uv));
     }
 
     /// Adds groups for the nodes, if there are several, and for the materials.
@@ -450,6 +452,7 @@ class GltfReader {
     std::vector<double> m_points, m_texture;
     bool m_hasTexture = true;
     std::vector<std::array<int, 3>> m_textureCorners;
+    std::vector<char> m_isTextured;  // of the triangles
     std::vector<int> m_materialOfTriangle;
     std::map<int, std::vector<int>> m_cellsOfMaterial;
 };

@@ -42,6 +42,7 @@ class Remaking {
     void remake() {
         const CellList old = std::move(m_bag.cells);
         m_bag.cells = {};
+        m_bag.cornerUv.clear();
         const auto triangles = std::move(m_bag.cellOfTriangle),
                    tetrahedra = std::move(m_bag.cellOfTetrahedron);
         m_bag.cellOfTriangle.assign(m_bag.triangles.size(), -1);
@@ -363,7 +364,22 @@ class Losses {
             m_lost.push_back("the values of " + counted(cells, "cell", "cells") + " of lower dimension");
         if (!m_bag.fileFields.empty() && !m_format.holdsFileFields)
             m_lost.push_back(counted(m_bag.fileFields.size(), "field of the file", "fields of the file"));
-        if (m_bag.uv.cols() > 0 && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+        countTexture();
+    }
+
+    /// Lists texture coordinates, those of vertices and those of corners.
+    void countTexture() {
+        const bool ofVertices = m_bag.uv.cols() > 0, ofCorners = m_bag.hasCornerUv();
+        if ((ofVertices || ofCorners) && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+        if (!ofCorners || !m_format.holdsTexture) return;
+        const bool isWhole =
+            std::ranges::all_of(m_bag.cells.kinds, [&](CellKind kind) { return m_format.holds(kind); });
+        const bool holdsCorners = m_format.print
+                                      ? (m_format.print == printObj || m_format.print == printPly) && isWhole
+                                      : ofVertices;  // glTF
+        if (!holdsCorners)
+            m_lost.push_back(ofVertices ? "texture coordinates that differ between the faces of a vertex"
+                                        : "texture coordinates that only some faces have");
     }
 
     void countChangedFields() {
