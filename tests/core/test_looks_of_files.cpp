@@ -70,6 +70,7 @@ class TestLooksOfFiles : public QObject {
     void normalsOfObj();
     void normalsOfCornersAreTold();
     void longWholeNumbers();
+    void longUnsignedNumbers();
     void textureOfCorners();
     void textureOfSomeFaces();
     void namesThatWouldBeEqual_data();
@@ -231,6 +232,35 @@ void TestLooksOfFiles::longWholeNumbers() {
     for (const QByteArray& number : QByteArray::fromStdString(numbers).split(' '))
         QVERIFY2(last.contains(number + '\n'), number);
     QVERIFY(last.contains("\n1152921504606846979\n"));
+}
+
+/// Numbers from 0 to 2⁶⁴ − 1, most of which have no exact double, are the same text behind every encoding.
+void TestLooksOfFiles::longUnsignedNumbers() {
+    const samples::Folder folder;
+    const std::string numbers = "9223372036854775808 18446744073709551615 9007199254740993 0";
+    const std::string text =
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+        "0 0 0\n1 0 0\n0 1 0\n0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        "POINT_DATA 4\nFIELD FieldData 1\nids 1 4 unsigned_long\n" +
+        numbers + "\nCELL_DATA 1\nFIELD FieldData 1\nid 1 1 unsigned_long\n18446744073709550593\n";
+    using enum MeshWriteOptions::Encoding;
+    std::string path = folder.put("a.vtk", text);
+    const std::pair<const char*, MeshWriteOptions> ways[] = {{"b.vtu", {}},
+                                                             {"c.vtk", {Binary, false, false, 4}},
+                                                             {"d.vtu", {Binary, false, false, 4}},
+                                                             {"e.vtu", {Compressed, false, true, 4}},
+                                                             {"f.vtk", {}}};
+    for (const auto& [name, options] : ways) {
+        writeMeshFile(folder.path(name), readMeshFile(path), options);
+        path = folder.path(name);
+    }
+    const QByteArray last = bytesOf(path);
+    for (const QByteArray& number : QByteArray::fromStdString(numbers).split(' '))
+        QVERIFY2(last.contains(number + '\n'), number);
+    QVERIFY(last.contains("\n18446744073709550593\n"));
+    const MeshFile file = readMeshFile(path);
+    QVERIFY(lostInFile("g.vtu", file, {}).empty());
+    QCOMPARE(lostInFile("g.xdmf", file, {}), std::string("whole numbers of 2 fields are rounded to 53 bits"));
 }
 
 namespace {
