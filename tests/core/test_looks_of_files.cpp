@@ -76,6 +76,7 @@ class TestLooksOfFiles : public QObject {
     void namesThatWouldBeEqual_data();
     void namesThatWouldBeEqual();
     void fieldsThatWouldBeEqual();
+    void listsAndEdgesOfPly();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
     void valuesThatFormatsLack();
@@ -418,6 +419,22 @@ void TestLooksOfFiles::fieldsThatWouldBeEqual() {
     const std::string lost = lostInFile("a.ply", mesh, {});
     QVERIFY2(lost.ends_with("1 field is renamed, because another has the same name there (a_b_2)"),
              lost.c_str());
+}
+
+/// Lists of vertices and faces, and values of edges, are named if they are not written.
+void TestLooksOfFiles::listsAndEdgesOfPly() {
+    const samples::Folder folder;
+    const MeshFile file = readMeshFile(
+        folder.put("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                   "property float z\nproperty list uchar float weights\nelement face 1\n"
+                   "property list uchar int vertex_indices\nproperty list uchar float extra\n"
+                   "element edge 1\nproperty int vertex1\nproperty int vertex2\nproperty float crease\n"
+                   "property list uchar int more\nend_header\n"
+                   "0 0 0 2 .1 .2\n1 0 0 1 .5\n0 1 0 0\n3 0 2 1 1 7\n0 1 .25 0\n"));
+    QCOMPARE(lostInFile("b.ply", file, {}),
+             std::string("the lists 'weights' of its vertices, the lists 'extra' of its faces, the values "
+                         "'crease' of its edges and the values 'more' of its edges are not in a PLY file"));
 }
 
 void TestLooksOfFiles::attributesOfTetgenAreKept() {

@@ -290,8 +290,17 @@ class Losses {
   private:
     /// Returns whether a single thing is lost.
     bool isOne() const {
-        return m_lost.size() == 1 && (m_lost[0].starts_with("1 ") || m_lost[0].starts_with("the name of ") ||
-                                      !m_bag.notices.empty());
+        if (m_lost.size() != 1) return false;
+        const std::string& lost = m_lost[0];
+        return lost.starts_with("1 ") || lost.starts_with("the name of ") ||
+               lost.starts_with("the time of ") || (!m_bag.notices.empty() && !isPlural(lost));
+    }
+    /// Returns whether a notice of a reader names several things, as "its 3 cameras" does.
+    static bool isPlural(const std::string& notice) {
+        const auto number = notice.find_first_of("0123456789");
+        return notice.starts_with("the lists ") || notice.starts_with("the values ") ||
+               (notice.starts_with("its ") && number == 4 && !notice.starts_with("its 1 ")) ||
+               (notice.starts_with("the ") && number == 4 && !notice.starts_with("the 1 "));
     }
     /// Lists the cells that are split, lose nodes, or are left out, with their numbers.
     void countCells() {

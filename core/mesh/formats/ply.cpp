@@ -206,7 +206,9 @@ class PlyReader {
             taken.insert(taken.end(), {first, second});
         }
         for (const auto& property : vertices.properties)
-            if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
+            if (property.countType)
+                file.notices.push_back("the lists " + inQuotes(property.name) + " of its vertices");
+            else if (std::find(taken.begin(), taken.end(), &property) == taken.end())
                 file.fields.push_back({property.name, false, 1, property.values, {}, property.type});
     }
     /// Takes the faces, which may be polygons.
@@ -258,6 +260,17 @@ class PlyReader {
             endStrip();
         }
         lengthenFields(file, file.cells.size() - faces);
+        const Element* element = this->element("tristrips");
+        if (!element) return;
+        const auto corners = std::ranges::find_if(element->properties, &Property::isCorners);
+        nameOthers(*element, {corners == element->properties.end() ? nullptr : &*corners}, "strips", file);
+    }
+    /// Names the properties of an element that are not among those taken.
+    static void nameOthers(const Element& element, const std::vector<const Property*>& taken,
+                           const char* things, MeshFile& file) {
+        for (const Property& property : element.properties)
+            if (element.count > 0 && std::ranges::count(taken, &property) == 0)
+                file.notices.push_back("the values " + inQuotes(property.name) + " of its " + things);
     }
     /// Takes the texture points of the corners of faces, unless vertices have some.
     void takeTexture(MeshFile& file) const {
@@ -281,6 +294,7 @@ class PlyReader {
         if (!edges || edges->count == 0) return;
         const auto *first = edges->find("vertex1"), *second = edges->find("vertex2");
         if (!first || !second) m_scanner.fail("the edges have no vertex1 and vertex2");
+        nameOthers(*edges, {first, second}, "edges", file);
         for (std::size_t e = 0; e < first->values.size(); ++e)
             file.cells.add(CellKind::Line, std::array{corner(whole(first->values[e]), "edge", e, file),
                                                       corner(whole(second->values[e]), "edge", e, file)});
