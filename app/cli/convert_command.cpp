@@ -46,11 +46,12 @@ void requireOtherFiles(const Conversion& conversion) {
 
 void convertMesh(const Conversion& conversion, OutputSet& files) {
     const std::string extension = conversion.extension(".vtu");
-    if (extension == ".glb") {
+    const bool staysObj = extension == ".obj" && lowerExtension(conversion.from) == ".obj";
+    if (extension == ".glb" || staysObj) {
         const Skin skin = readSkin(conversion.from);
         for (const std::string& warning : skin.warnings)
             conversion.terminal.warn(conversion.from + ": " + warning);
-        conversion.tell(lostInSkin("mesh.glb", skin, conversion.options));
+        conversion.tell(lostInSkin("mesh" + extension, skin, conversion.options));
         return files.add(conversion.to, extension, [&](const std::string& file) {
             writeSkin(file, skin, skin.points, {}, conversion.options);
         });

@@ -76,6 +76,7 @@ class TestLooksOfFiles : public QObject {
     void namesThatWouldBeEqual_data();
     void namesThatWouldBeEqual();
     void fieldsThatWouldBeEqual();
+    void objectsOfObj();
     void listsAndEdgesOfPly();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
@@ -419,6 +420,17 @@ void TestLooksOfFiles::fieldsThatWouldBeEqual() {
     const std::string lost = lostInFile("a.ply", mesh, {});
     QVERIFY2(lost.ends_with("1 field is renamed, because another has the same name there (a_b_2)"),
              lost.c_str());
+}
+
+/// Groups within objects take the objects' place, which is named.
+void TestLooksOfFiles::objectsOfObj() {
+    const samples::Folder folder;
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const MeshFile file =
+        readMeshFile(folder.put("a.obj", points + "o Head\ng left\nf 1 2 3\no Tail\nf 1 3 2\n"));
+    QCOMPARE(lostInFile("a.msh", file, {}), std::string("its object 'Head' is not in a Gmsh file"));
+    const MeshFile plain = readMeshFile(folder.put("a.obj", points + "g left\nf 1 2 3\no Tail\nf 1 3 2\n"));
+    QVERIFY(lostInFile("a.msh", plain, {}).empty());
 }
 
 /// Lists of vertices and faces, and values of edges, are named if they are not written.

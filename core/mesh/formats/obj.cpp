@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/colours.h"
@@ -41,6 +42,10 @@ class ObjReader {
         addTexture();
         addVertexColours();
         addNormals();
+        if (!m_replaced.empty())
+            m_file.notices.push_back(m_replaced.size() == 1
+                                         ? "its object " + inQuotes(*m_replaced.begin())
+                                         : "its " + std::to_string(m_replaced.size()) + " objects");
         for (MeshGroup& group : m_groups)
             if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
         finishCells(m_file, [this](int cell) {
@@ -78,13 +83,16 @@ class ObjReader {
         if (more.size() == 4) more.erase(more.begin());
         if (more.size() == 3) m_colours.insert(m_colours.end(), more.begin(), more.end());
     }
-    /// "g" names all groups that follow, the others one: names with blanks.
+    /// "g" names all groups that follow, the others one: names with blanks. Groups replace an object.
     void group(std::string_view keyword) {
         const bool material = keyword == "usemtl";
+        if (keyword == "g" && !m_object.empty()) m_replaced.insert(m_object);
+        if (!material) m_object.clear();
         std::erase_if(m_current, [&](const auto& current) { return current.first == material; });
         while (!m_scanner.atLineEnd()) {
             const auto name = keyword == "g" ? m_scanner.word("a group") : trimmedLine();
             m_current.emplace_back(material, std::string(name));
+            if (keyword == "o") m_object = m_current.back().second;
             groupOf(m_current.back(), 2);
             if (keyword != "g") return m_scanner.seek(m_scanner.offset() - 1);
         }
@@ -233,6 +241,8 @@ class ObjReader {
     /// By whether it is a material, its name, and the dimension of its cells.
     std::map<std::pair<std::pair<bool, std::string>, int>, std::size_t> m_known;
     std::vector<std::pair<bool, std::string>> m_current;  // groups of the cells that follow
+    std::string m_object;                                 // among them
+    std::set<std::string> m_replaced;                     // objects with groups instead
 };
 
 /// The lines that name the groups of each cell, where they change.
