@@ -78,6 +78,7 @@ class TestLooksOfFiles : public QObject {
     void fieldsThatWouldBeEqual();
     void objectsOfObj();
     void listsAndEdgesOfPly();
+    void timesOfGmsh();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
     void valuesThatFormatsLack();
@@ -447,6 +448,30 @@ void TestLooksOfFiles::listsAndEdgesOfPly() {
     QCOMPARE(lostInFile("b.ply", file, {}),
              std::string("the lists 'weights' of its vertices, the lists 'extra' of its faces, the values "
                          "'crease' of its edges and the values 'more' of its edges are not in a PLY file"));
+}
+
+/// Steps of a film have times, which Gmsh's files keep.
+void TestLooksOfFiles::timesOfGmsh() {
+    const samples::Folder folder;
+    const std::string data =
+        "$NodeData\n1\n\"T\"\n1\nTIME\n3\nSTEP\n1\n4\n1 1\n2 2\n3 3\n4 4\n$EndNodeData\n";
+    const auto step = [&](const char* time, const char* number) {
+        return QString::fromStdString(data).replace("TIME", time).replace("STEP", number).toStdString();
+    };
+    const MeshFile file = readMeshFile(
+        folder.put("a.msh",
+                   "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+                   "$EndNodes\n$Elements\n1\n1 4 0 1 2 3 4\n$EndElements\n" +
+                       step("0.5", "3") + step("1.5", "4")));
+    QCOMPARE(lostInFile("b.vtu", file, {}),
+             std::string("the times of 2 fields are not in a VTU (ParaView) file"));
+    QVERIFY(lostInFile("b.msh", file, {}).empty());
+    for (const auto encoding : {MeshWriteOptions::Encoding::Text, MeshWriteOptions::Encoding::Binary}) {
+        writeMeshFile(folder.path("b.msh"), file, {encoding, false, false, 4});
+        const QByteArray text = bytesOf(folder.path("b.msh"));
+        QVERIFY(text.contains("\"T\"\n1\n0.5\n3\n3\n1\n4\n"));
+        QVERIFY(text.contains("\"T 2\"\n1\n1.5\n3\n4\n1\n4\n"));
+    }
 }
 
 void TestLooksOfFiles::attributesOfTetgenAreKept() {

@@ -144,6 +144,11 @@ bool namesATag(const MeshField& field) {
     return field.components == 1 && std::ranges::count(tags, field.name) > 0;
 }
 
+/// Returns whether Gmsh draws values of so many components; 2 and 4 are extended.
+bool isHeldByGmsh(int components) {
+    return components == 9 || (components >= 1 && components <= 4);
+}
+
 /// Returns whether a format without fields holds one as a tag, a colour, a normal or an attribute.
 bool holdsField(const MeshFormat& format, const MeshField& field) {
     return namesATag(field) || (format.holdsColours && isColour(field, false)) ||
@@ -365,9 +370,15 @@ class Losses {
     void countFields() {
         std::vector<std::string> lost;
         for (const MeshField& field : m_bag.fields) {
-            if (!m_format.holdsFields && !holdsField(m_format, field)) lost.push_back(field.name);
+            const bool isDrawn = m_format.print != printGmsh || isHeldByGmsh(field.components);
+            if ((!m_format.holdsFields && !holdsField(m_format, field)) || !isDrawn)
+                lost.push_back(field.name);
         }
         if (!lost.empty()) m_lost.push_back(counted(lost.size(), "field", "fields") + listed(lost));
+        const auto timed = std::ranges::count_if(m_bag.fields, [](const auto& one) { return one.time != 0; });
+        if (timed > 0 && m_format.print != printGmsh && lost.size() < m_bag.fields.size())
+            m_lost.push_back(timed == 1 ? "the time of 1 field"
+                                        : "the times of " + std::to_string(timed) + " fields");
         countChangedFields();
         if (const std::size_t cells = cellsWithoutValues(); cells > 0)
             m_lost.push_back("the values of " + counted(cells, "cell", "cells") + " of lower dimension");
