@@ -79,6 +79,7 @@ class TestLooksOfFiles : public QObject {
     void objectsOfObj();
     void listsAndEdgesOfPly();
     void timesOfGmsh();
+    void cellsOfHigherOrderInMedit();
     void attributesOfTetgenAreKept();
     void whatGltfLacks();
     void valuesThatFormatsLack();
@@ -471,6 +472,20 @@ void TestLooksOfFiles::timesOfGmsh() {
         const QByteArray text = bytesOf(folder.path("b.msh"));
         QVERIFY(text.contains("\"T\"\n1\n0.5\n3\n3\n1\n4\n"));
         QVERIFY(text.contains("\"T 2\"\n1\n1.5\n3\n4\n1\n4\n"));
+    }
+}
+
+void TestLooksOfFiles::cellsOfHigherOrderInMedit() {
+    const samples::Folder folder;
+    try {
+        readMeshFile(
+            folder.put("a.mesh",
+                       "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                       "0 0 1 0\nTetrahedraP2\n1\n1 2 3 4 1 2 3 4 1 2 0\nEnd\n"));
+        QFAIL("was read");
+    } catch (const InputError& error) {
+        QVERIFY2(error.reason().starts_with("its cells have nodes between their corners ('TetrahedraP2')"),
+                 error.what());
     }
 }
 
