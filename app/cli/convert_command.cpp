@@ -93,6 +93,7 @@ ExitCode runConvert(const Arguments& arguments) {
     if (arguments.files().size() != 2)
         throw UsageError("two files are needed, the one to read and the one to write, not " +
                          std::to_string(arguments.files().size()));
+    requireFile(arguments.files()[0]);
     Terminal terminal(Terminal::Progress::Automatic, arguments.has("--quiet"));
     Conversion conversion{arguments.files()[0], arguments.files()[1], meshOptionsFrom(arguments.values()),
                           terminal};

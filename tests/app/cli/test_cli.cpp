@@ -112,6 +112,7 @@ void TestCli::helps() {
     QVERIFY(run({"bench", "--help"}).out.contains("paper"));
     QCOMPARE(run({"bench", "warp", "--keep", path()}).code, 2);
     QCOMPARE(run({"bench", "paper", "--keep", "nowhere"}).code, 3);
+    QCOMPARE(run({"bench", "nothing"}).code, 2);
 }
 
 /// docs/reference.md is the output of `wend reference`: regenerate it with that when the table of options
@@ -767,6 +768,12 @@ void TestCli::convert() {
     QCOMPARE(run({"convert", "strip.obj", "strip.xyz"}).code, 3);
     QCOMPARE(run({"convert", "nowhere.obj", "strip.vtu"}).code, 3);
     QCOMPARE(run({"convert", "strip.wend", "strip.vtu"}).code, 2);
+    for (const QStringList& words :
+         {QStringList{"convert", "-", "strip.vtu"}, {"info", "-"}, {"mesh", "-", "-o", "a.msh"}}) {
+        const CliResult refused = run(words);
+        QCOMPARE(refused.code, 2);
+        QVERIFY2(refused.error.contains("only `wend run` reads standard input"), qPrintable(refused.error));
+    }
 }
 
 /// OBJ files keep their materials, objects, smoothing groups and comments, as those of `wend run` do; a
