@@ -63,9 +63,16 @@ class ThreeMfReader {
         return std::move(m_file);
     }
 
-    /// Returns the unit of the coordinates.
-    std::string unit() {
-        const std::string_view named = attributeNamed(model(rootName()), "unit");
+    /// Returns the unit of the coordinates, which the head of the model gives. Its rest, which may be large,
+    /// is not read: pugixml keeps what precedes the cut.
+    std::string unit() const {
+        constexpr std::uint64_t kHead = 4096;
+        const auto head = m_archive.file(rootName(), kHead);
+        if (!head) return {};
+        pugi::xml_document document;
+        document.load_buffer(head->data(), head->size());
+        if (!document.document_element()) return {};
+        const std::string_view named = attributeNamed(document.document_element(), "unit");
         return std::string(named.empty() ? "millimeter" : named);
     }
 
