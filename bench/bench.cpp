@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/cli/arguments.h"
 #include "bench/drag_rows.h"
 #include "bench/flow_rows.h"
 #include "bench/kernel_rows.h"
@@ -53,7 +54,7 @@ void requireKnown(const std::vector<std::string>& cases) {
         if (std::ranges::find(known, name) != known.end()) continue;
         std::string list;
         for (const std::string& one : known) list += " " + one;
-        throw InputError(name, "is no case of the benchmark; there are" + list);
+        throw UsageError(name + ": is no case of the benchmark; there are" + list);
     }
 }
 

@@ -28,5 +28,7 @@ inline constexpr const char* kCancelled = "cancelled; nothing was written";
 
 /// Returns the only file on the line; throws UsageError if there is none or there are several.
 std::string onlyFile(const Arguments& arguments, const std::string& what);
+/// Throws UsageError if a path stands for standard input.
+void requireFile(const std::string& path);
 
 }  // namespace wend

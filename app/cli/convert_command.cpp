@@ -46,11 +46,12 @@ void requireOtherFiles(const Conversion& conversion) {
 
 void convertMesh(const Conversion& conversion, OutputSet& files) {
     const std::string extension = conversion.extension(".vtu");
-    if (extension == ".glb") {
+    const bool staysObj = extension == ".obj" && lowerExtension(conversion.from) == ".obj";
+    if (extension == ".glb" || staysObj) {
         const Skin skin = readSkin(conversion.from);
         for (const std::string& warning : skin.warnings)
             conversion.terminal.warn(conversion.from + ": " + warning);
-        conversion.tell(lostInSkin("mesh.glb", skin, conversion.options));
+        conversion.tell(lostInSkin("mesh" + extension, skin, conversion.options));
         return files.add(conversion.to, extension, [&](const std::string& file) {
             writeSkin(file, skin, skin.points, {}, conversion.options);
         });
@@ -94,6 +95,7 @@ ExitCode runConvert(const Arguments& arguments) {
     if (arguments.files().size() != 2)
         throw UsageError("two files are needed, the one to read and the one to write, not " +
                          std::to_string(arguments.files().size()));
+    requireFile(arguments.files()[0]);
     Terminal terminal(Terminal::Progress::Automatic, arguments.has("--quiet"));
     Conversion conversion{arguments.files()[0], arguments.files()[1], meshOptionsFrom(arguments.values()),
                           terminal};

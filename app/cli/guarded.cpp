@@ -91,6 +91,10 @@ std::string onlyFile(const Arguments& arguments, const std::string& what) {
     return arguments.files()[0];
 }
 
+void requireFile(const std::string& path) {
+    if (path == "-") throw UsageError("-: only `wend run` reads standard input; name a file");
+}
+
 int runToTheEnd(const std::function<ExitCode()>& run, const std::function<void()>& finish) {
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like a full disk
     std::set_terminate(endInOneLine);

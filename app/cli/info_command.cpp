@@ -387,6 +387,7 @@ std::string asText(const Json& json, const std::string& indent) {
 
 ExitCode runInfo(const Arguments& arguments) {
     const std::string path = onlyFile(arguments, "file"), problems = arguments.text("--problems");
+    requireFile(path);
     if (sameFile(path, problems))
         throw UsageError(problems + ": would replace " + path + ", which is read here");
     const Json json = infoOf(path, problems);

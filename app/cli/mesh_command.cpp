@@ -132,6 +132,7 @@ void printJson(const Meshed& meshed) {
 
 ExitCode runMesh(const Arguments& arguments) try {
     const std::string path = onlyFile(arguments, "picture, outline, project or surface");
+    requireFile(path);
     if (!arguments.has("--output")) throw UsageError("no output is named (-o FILE)");
     const std::string output = arguments.text("--output");
     if (output == "-" && arguments.has("--json"))

@@ -21,6 +21,8 @@ struct MeshField {
     /// The difference between each number of a file (per vertex, or per its own cell) and the double that
     /// represents it: whole numbers of eight bytes may have more digits. Empty if there is none.
     std::vector<std::int16_t> beyond = {};
+    double time = 0;  // of the step of a film that the values belong to, and its number
+    int step = 0;
 };
 
 }  // namespace wend

@@ -30,6 +30,9 @@ struct MeshFile {
     std::vector<std::array<int, 4>> tetrahedra;  // what the cells of space were split into; if there are any,
                                                  // the mesh is a volume and the triangles its boundary
     Eigen::Matrix2Xd uv;                         // per vertex; empty if there is none
+    /// u and v of every node of every cell (as many pairs as `cells` has nodes, NaN where there is none), if
+    /// `uv` cannot represent them: corners of a vertex differ, or some have none. Empty otherwise.
+    std::vector<double> cornerUv;
     std::vector<MeshField> fields;
     std::vector<int> labels;              // of the triangles of a volume's boundary; empty if there are none
     std::vector<std::string> labelNames;  // of the labels 1, 2, …; empty if they have none
@@ -50,6 +53,9 @@ struct MeshFile {
     /// and files have no vertex without a cell.
     bool made = false;
     std::vector<std::string> spaceNames;  // of the values 1, 2, … of the field "ref" of generated cells
+
+    /// Returns whether there are texture coordinates of corners for the cells as they are.
+    bool hasCornerUv() const { return !cornerUv.empty() && cornerUv.size() == 2 * cells.nodes.size(); }
 };
 
 /// Reads the formats of meshFileExtensions(). Every index is valid and every coordinate finite in what comes
@@ -57,11 +63,11 @@ struct MeshFile {
 /// reason).
 ///
 /// What is not obvious: STL has no vertices; equal points of its facets become one, in the order of their
-/// first use. OBJ texture coordinates become one per vertex; where corners of a vertex differ (a seam), the
-/// first counts. Tags of cells are groups and the fields "ref" (Medit), "physical" and "entity" (Gmsh),
-/// "attribute" (TetGen). Polygons, hexahedra, wedges and pyramids are split inside (see finishCells); nodes
-/// between the corners of a cell belong to no triangle or tetrahedron. Polyhedra of OpenFOAM become
-/// tetrahedra around vertices behind the file's own; elsewhere they are errors.
+/// first use. Texture coordinates of corners become one per vertex, the first one; where corners of a vertex
+/// differ (a seam), all are in `cornerUv`. Tags of cells are groups and the fields "ref" (Medit), "physical"
+/// and "entity" (Gmsh), "attribute" (TetGen). Polygons, hexahedra, wedges and pyramids are split inside (see
+/// finishCells); nodes between the corners of a cell belong to no triangle or tetrahedron. Polyhedra of
+/// OpenFOAM become tetrahedra around vertices behind the file's own; elsewhere they are errors.
 MeshFile readMeshFile(const std::string& path, MeshNeeds needs = MeshNeeds::Cells);
 
 /// Writes to a temporary file beside `path` and renames it, so that no partial file remains. Throws

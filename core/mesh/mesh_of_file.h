@@ -67,6 +67,10 @@ SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 template <int Dim>
 std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh);
 
+/// Returns the unit of length of a 3MF file as that spells it, "millimeter" if it names none; empty if the
+/// file cannot be read.
+std::string unitOfThreeMf(const std::string& path);
+
 /// Describes in one line how far single precision moves points that are written with it; empty up to a
 /// millionth of their extent.
 std::string roundingText(const Eigen::Matrix3Xd& points);

@@ -60,6 +60,26 @@ MeshFile toMeshFile(const Skin& skin, const Points3& points, const std::vector<M
     return file;
 }
 
+/// Adds the texture points of the corners of a file's faces to its triangles, equal ones once.
+void addCornerTexture(const MeshFile& file, Skin& skin) {
+    std::map<std::pair<double, double>, int> known;
+    for (std::size_t t = 0; t < file.triangles.size(); ++t) {
+        const int cell = file.cellOfTriangle[t];
+        const auto nodes = file.cells[cell];
+        std::array<int, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = file.cells.begins[static_cast<std::size_t>(cell)] +
+                            (std::ranges::find(nodes, file.triangles[t][k]) - nodes.begin());
+            const auto first = file.cornerUv.begin() + 2 * at;
+            corners[k] =
+                known.try_emplace({first[0], first[1]}, static_cast<int>(known.size())).first->second;
+        }
+        skin.uvCorners.push_back(corners);
+    }
+    skin.uv.resize(2, static_cast<Eigen::Index>(known.size()));
+    for (const auto& [uv, number] : known) skin.uv.col(number) << uv.first, uv.second;
+}
+
 constexpr std::size_t kMostColours = 256;  // of faces
 
 /// Adds a material for every colour that the faces of a file have, unless there are too many.
@@ -110,6 +130,8 @@ Skin readSkin(const std::string& path, MeshNeeds needs) {
     }
     if (hasExtension(path, ".glb")) {
         formats::addGltfLook(readInput(path), skin);
+    } else if (file.uv.cols() > 0 && file.hasCornerUv()) {
+        addCornerTexture(file, skin);
     } else if (file.uv.cols() > 0) {
         skin.uv = file.uv;
         skin.uvCorners = file.triangles;

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/cli/arguments.h"
 #include "app/cli/command_table.h"
 #include "bench/body.h"
 #include "bench/flow_rows.h"
@@ -120,8 +121,8 @@ void TestBench::unknownCasesAreRefused() {
     try {
         runBenchmarks(options);
         QFAIL("a fourth dimension");
-    } catch (const InputError& error) {
-        QVERIFY(error.reason().find("2d-5.6k") != std::string::npos);
+    } catch (const UsageError& error) {
+        QVERIFY(std::string(error.what()).find("2d-5.6k") != std::string::npos);
     }
 }
 

@@ -342,7 +342,21 @@ class TestHdf5Formats : public QObject {
             "</Grid></Grid></Domain></Xdmf>"));
         QCOMPARE(file.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}));
         QCOMPARE(find(file, "heat")->values, heat);
-        QCOMPARE(file.notices, std::vector<std::string>{"its 1 other steps"});
+        QCOMPARE(file.notices, std::vector<std::string>{"its 1 other step"});
+    }
+
+    /// Collections within collections as deep as the file is long.
+    void deepGrids() {
+        constexpr int kDepth = 100000;
+        const samples::Folder folder;
+        std::string text = "<Xdmf><Domain>";
+        for (int k = 0; k < kDepth; ++k) text += "<Grid GridType='Collection'>";
+        text +=
+            "<Grid><Geometry GeometryType='XY'><DataItem Dimensions='3 2'>0 0 1 0 0 1</DataItem></Geometry>"
+            "<Topology TopologyType='Triangle'><DataItem Dimensions='1 3'>0 1 2</DataItem></Topology></Grid>";
+        for (int k = 0; k < kDepth; ++k) text += "</Grid>";
+        const MeshFile file = readMeshFile(folder.put("a.xdmf", text + "</Domain></Xdmf>"));
+        QCOMPARE(file.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}}));
     }
 
     /// A structured zone of 3 × 2 × 2 vertices is two hexahedra; the face i = 1 is a group of vertices.

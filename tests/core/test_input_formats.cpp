@@ -97,11 +97,14 @@ class TestInputFormats : public QObject {
     void glbOfOurOwn();
     void glbFarFromTheOrigin();
     void glbOfNodes();
+    void longChainOfNodes();
+    void mirroredNodesFaceOutwards();
     void glbOfKinds_data();
     void glbOfKinds();
     void badGlb_data();
     void badGlb();
     void threeMf();
+    void mirroredItemsFaceOutwards();
     void badThreeMf_data();
     void badThreeMf();
 
@@ -172,6 +175,43 @@ void TestInputFormats::glbOfNodes() {
     QCOMPARE(mesh.groups[1].cells, (std::vector<int>{2, 3}));
 }
 
+/// Each of 50,000 nodes is the only child of the one before, moved by one along x.
+void TestInputFormats::longChainOfNodes() {
+    constexpr int kCount = 50000;
+    std::string nodes;
+    for (int k = 1; k < kCount; ++k)
+        nodes += "{'translation': [1, 0, 0], 'children': [" + std::to_string(k) + "]}, ";
+    put("chain.glb", square(nodes + "{'mesh': 0}", kTriangles));
+    const MeshFile mesh = readMeshFile(file("chain.glb"));
+    QCOMPARE(mesh.triangles.size(), std::size_t(2));
+    QCOMPARE(Vec3(mesh.points.col(0)), Vec3(kCount - 1, 0, 0));
+}
+
+namespace {
+
+double volumeWithin(const MeshFile& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        sum += mesh.points.col(a).dot(mesh.points.col(b).cross(mesh.points.col(c))) / 6;
+    return sum;
+}
+
+}  // namespace
+
+/// The square faces −y (in glTF +z), also where its own node, or that above, mirrors it.
+void TestInputFormats::mirroredNodesFaceOutwards() {
+    put("mirror.glb",
+        square("{'children': [1, 2], 'scale': [-1, 1, 1]}, {'mesh': 0, 'translation': [2, 0, 0]}, "
+               "{'mesh': 0, 'scale': [1, -1, 1]}",
+               kTriangles));
+    const MeshFile mesh = readMeshFile(file("mirror.glb"));
+    QCOMPARE(mesh.triangles.size(), std::size_t(4));
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 p = mesh.points.col(a), q = mesh.points.col(b), r = mesh.points.col(c);
+        QCOMPARE((q - p).cross(r - p).normalized(), Vec3(0, -1, 0));
+    }
+}
+
 void TestInputFormats::glbOfKinds_data() {
     QTest::addColumn<QString>("primitive");
     QTest::addColumn<int>("triangles");
@@ -215,6 +255,10 @@ void TestInputFormats::badGlb_data() {
     row("beyond the file",
         square("{'mesh': 0}", kTriangles).replace(whole.find("\"count\":"), 11, "\"count\": 9,"),
         "accessor 0 reaches beyond the file");
+    row("deep JSON",
+        square("{'mesh': 0}", kTriangles,
+               ", 'extras': " + std::string(100000, '[') + std::string(100000, ']')),
+        "its JSON is nested too deep");
     row("compressed",
         square("{'mesh': 0}", kTriangles, ", 'extensionsRequired': ['KHR_draco_mesh_compression']"),
         "is compressed by 'KHR_draco_mesh_compression'");
@@ -261,6 +305,33 @@ void TestInputFormats::threeMf() {
     QCOMPARE(mesh.groups[1].name, std::string("both"));
     QCOMPARE(mesh.groups[1].cells.size(), std::size_t(8));
     QCOMPARE(mesh.triangles[4], (std::array{4, 6, 5}));
+}
+
+/// A tetrahedron, one that its item mirrors, and one whose component and item both do.
+void TestInputFormats::mirroredItemsFaceOutwards() {
+    constexpr const char* kMirror = "transform=\"-1 0 0 0 1 0 0 0 1 5 0 0\"";
+    zipInto(m_folder.filePath("mirror.3mf"),
+            {{"3D/3dmodel.model",
+              model("<basematerials id=\"9\"><base name=\"red\" displaycolor=\"#FF0000\"/><base "
+                    "name=\"blue\" displaycolor=\"#0000FF\"/></basematerials>" +
+                        tetrahedron("1", "plain") +
+                        "<object id=\"2\" name=\"other\"><components><component objectid=\"1\" " + kMirror +
+                        "/></components></object>",
+                    std::string("<item objectid=\"1\"/><item objectid=\"1\" ") + kMirror +
+                        "/><item objectid=\"2\" " + kMirror + "/>")}});
+    MeshFile mesh = readMeshFile(file("mirror.3mf"));
+    QCOMPARE(mesh.groups.size(), std::size_t(3));
+    QCOMPARE(volumeWithin(mesh), 3 / 6.0);
+    QCOMPARE(mesh.notices, std::vector<std::string>{"its 2 colours"});
+    QCOMPARE(unitOfThreeMf(file("mirror.3mf")), std::string("millimeter"));
+    zipInto(m_folder.filePath("inch.3mf"),
+            {{"3D/3dmodel.model", "<model unit=\"inch\"><!--" + std::string(100000, '-') + "--></model>"}});
+    QCOMPARE(unitOfThreeMf(file("inch.3mf")), std::string("inch"));
+    zipInto(m_folder.filePath("usual.3mf"), {{"3D/3dmodel.model", "<model/>"}});
+    QCOMPARE(unitOfThreeMf(file("usual.3mf")), std::string("millimeter"));
+    QCOMPARE(unitOfThreeMf(file("none.3mf")), std::string());
+    mesh.triangles.resize(8);
+    QCOMPARE(volumeWithin(mesh), 2 / 6.0);
 }
 
 void TestInputFormats::badThreeMf_data() {

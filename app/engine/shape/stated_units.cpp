@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/file_name.h"
+#include "core/mesh/mesh_of_file.h"
 
 namespace wend {
 namespace {
@@ -78,7 +79,9 @@ std::string unitIn(const std::string& line) {
 }  // namespace
 
 std::string statedUnits(const std::string& path) {
-    const std::string extension = lowerExtension(path), head = headOf(path);
+    const std::string extension = lowerExtension(path);
+    if (extension == ".3mf") return unitIn("unit " + unitOfThreeMf(path));
+    const std::string head = headOf(path);
     if (extension == ".stl") return unitIn(head.substr(0, std::min<std::size_t>(80, head.find('\n'))));
     std::istringstream lines(head);
     for (std::string line; std::getline(lines, line);)

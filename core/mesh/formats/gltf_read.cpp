@@ -6,9 +6,11 @@
 #include "core/mesh/formats/gltf_read.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -16,6 +18,7 @@
 #include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/colours.h"
+#include "core/mesh/formats/mesh_bag.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/scanner.h"
 
@@ -24,6 +27,16 @@ namespace {
 
 using Json = nlohmann::json;
 using Transform = Eigen::Matrix4d;
+
+constexpr int kDeepestJson = 64;  // copies of deeper texts would exhaust the stack
+
+/// Parses JSON. Throws InputError if it is nested deeper than any glTF file needs.
+Json shallowJson(std::string_view text) {
+    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+        if (depth > kDeepestJson) throw InputError("its JSON is nested too deep");
+        return true;
+    });
+}
 
 struct Chunks {
     std::string_view json, binary;
@@ -151,13 +164,11 @@ class GltfReader {
 
     /// Reads the nodes of the default scene, which is the first one if none is named.
     void read() try {
-        m_gltf = Json::parse(m_chunks.json);
+        m_gltf = shallowJson(m_chunks.json);
         requireReadable();
         const auto scenes = m_gltf.value("scenes", Json::array());
         const auto scene = m_gltf.value("scene", std::size_t(0));
-        if (scene < scenes.size())
-            for (const Json& node : scenes[scene].value("nodes", Json::array()))
-                readNode(node.get<std::size_t>(), Transform::Identity());
+        if (scene < scenes.size()) readNodes(scenes[scene].value("nodes", Json::array()));
         collectPoints();
         addGroups();
         addNotices();
@@ -214,27 +225,42 @@ class GltfReader {
         return transform;
     }
 
-    /// Reads a node's mesh with the node's transform, and then its children.
-    void readNode(std::size_t index, const Transform& parent) {
+    /// Reads the nodes of these numbers, each followed by its children. A list stands for recursion: chains
+    /// may be as long as the file.
+    void readNodes(const Json& roots) {
+        std::vector<std::pair<std::size_t, Transform>> waiting;
+        const auto append = [&](const Json& numbers, const Transform& parent) {
+            const auto end = static_cast<std::ptrdiff_t>(waiting.size());
+            for (const Json& number : numbers) waiting.emplace_back(number.get<std::size_t>(), parent);
+            std::reverse(waiting.begin() + end, waiting.end());
+        };
+        append(roots, Transform::Identity());
+        while (!waiting.empty()) {
+            const auto [index, parent] = waiting.back();
+            waiting.pop_back();
+            const Json& node = m_gltf.at("nodes").at(index);
+            const Transform transform = parent * transformOf(node);
+            readNode(index, node, transform);
+            append(node.value("children", Json::array()), transform);
+        }
+    }
+    /// Reads a node's mesh with the node's transform.
+    void readNode(std::size_t index, const Json& node, const Transform& transform) {
         if (!m_visited.insert(index).second)
             throw InputError("node " + std::to_string(index) + " is in the scene twice");
-        const Json& node = m_gltf.at("nodes").at(index);
-        const Transform transform = parent * transformOf(node);
-        if (node.contains("mesh")) {
-            const auto mesh = node["mesh"].get<std::size_t>();
-            m_places.clear();
-            const int first = m_file.cells.size();
-            for (const Json& primitive : m_gltf.at("meshes").at(mesh).at("primitives"))
-                readPrimitive(primitive, transform);
-            std::string name = node.value("name", std::string());
-            if (name.empty()) name = m_gltf["meshes"][mesh].value("name", std::string());
-            m_nodes.push_back({std::move(name), first, m_file.cells.size()});
-        }
-        for (const Json& child : node.value("children", Json::array()))
-            readNode(child.get<std::size_t>(), transform);
+        if (!node.contains("mesh")) return;
+        const auto mesh = node["mesh"].get<std::size_t>();
+        m_places.clear();
+        const int first = m_file.cells.size();
+        for (const Json& primitive : m_gltf.at("meshes").at(mesh).at("primitives"))
+            readPrimitive(primitive, transform);
+        std::string name = node.value("name", std::string());
+        if (name.empty()) name = m_gltf["meshes"][mesh].value("name", std::string());
+        m_nodes.push_back({std::move(name), first, m_file.cells.size()});
     }
 
-    /// Reads a primitive: its points, its cells, its texture points and its material.
+    /// Reads a primitive: its points, its cells, its texture points and its material. Triangles that the
+    /// transform mirrors are turned over, so that they face outwards again (glTF 2.0, 3.7.4).
     void readPrimitive(const Json& primitive, const Transform& transform) {
         const Json& attributes = primitive.at("attributes");
         if (!attributes.contains("POSITION")) return;
@@ -249,13 +275,16 @@ class GltfReader {
         const int firstCell = m_file.cells.size(), firstTexture = static_cast<int>(m_texture.size() / 2);
         const bool textured = readTexture(attributes, positions.count());
         readColours(attributes, vertexOf);
-        for (const auto& [kind, corners] : cellsOf(primitive.value("mode", 4), order)) {
+        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
+        for (auto& [kind, corners] : cellsOf(primitive.value("mode", 4), order)) {
+            if (isMirrored && kind == CellKind::Triangle) std::swap(corners[1], corners[2]);
             std::vector<int> cell;
             for (const std::size_t corner : corners) cell.push_back(vertexOf[corner]);
             m_file.cells.add(kind, cell);
             if (kind != CellKind::Triangle) continue;
             m_materialOfTriangle.push_back(primitive.value("material", -1));
             m_hasTexture = m_hasTexture && textured;
+            m_isTextured.push_back(textured);
             m_textureCorners.push_back({firstTexture + static_cast<int>(corners[0]),
                                         firstTexture + static_cast<int>(corners[1]),
                                         firstTexture + static_cast<int>(corners[2])});
@@ -355,7 +384,7 @@ class GltfReader {
         return cells;
     }
 
-    /// Collects the points, and for each the first texture point of its corners.
+    /// Collects the points with their colours, and the texture points of corners.
     void collectPoints() {
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3,
                                                            static_cast<Eigen::Index>(m_points.size() / 3));
@@ -364,20 +393,19 @@ class GltfReader {
             for (const auto& [vertex, colour] : m_colours) colours[static_cast<std::size_t>(vertex)] = colour;
             addColours(m_file, colours, false);
         }
-        if (!hasTexture()) return;
-        m_file.uv = Eigen::Matrix2Xd::Zero(2, m_file.points.cols());
-        std::vector<char> isSet(static_cast<std::size_t>(m_file.points.cols()), 0);
+        if (m_textureCorners.empty() || m_texture.empty()) return;
+        std::vector<double> uv(2 * m_file.cells.nodes.size(), std::numeric_limits<double>::quiet_NaN());
         std::size_t t = 0;
         for (int c = 0; c < m_file.cells.size(); ++c) {
             if (m_file.cells.kinds[static_cast<std::size_t>(c)] != CellKind::Triangle) continue;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int v = m_file.cells[c][k];
-                const auto at = static_cast<std::size_t>(2 * m_textureCorners[t][k]);
-                if (!isSet[static_cast<std::size_t>(v)]) m_file.uv.col(v) << m_texture[at], m_texture[at + 1];
-                isSet[static_cast<std::size_t>(v)] = 1;
-            }
+            const auto first = 2 * static_cast<std::size_t>(m_file.cells.begins[static_cast<std::size_t>(c)]);
+            for (std::size_t k = 0; k < 3 && m_isTextured[t]; ++k)
+                for (std::size_t j = 0; j < 2; ++j)
+                    uv[first + 2 * k + j] =
+                        m_texture[static_cast<std::size_t>(2 * m_textureCorners[t][k]) + j];
             ++t;
         }
+        setCornerUv(m_file, std::move(uv));
     }
 
     /// Adds groups for the nodes, if there are several, and for the materials.
@@ -424,6 +452,7 @@ class GltfReader {
     std::vector<double> m_points, m_texture;
     bool m_hasTexture = true;
     std::vector<std::array<int, 3>> m_textureCorners;
+    std::vector<char> m_isTextured;  // of the triangles
     std::vector<int> m_materialOfTriangle;
     std::map<int, std::vector<int>> m_cellsOfMaterial;
 };

@@ -233,7 +233,9 @@ class GmshReader {
                 name = line.substr(first + 1, last - first - 1);
         }
         const int reals = m_scanner.count("real tags", 1);
-        for (int k = 0; k < reals; ++k) m_scanner.real("a real tag");
+        MeshField field;
+        for (int k = 0; k < reals; ++k)
+            if (const double tag = m_scanner.real("a real tag"); k == 0) field.time = tag;
         const int integers = m_scanner.count("integer tags", 1);
         std::int64_t tags[3] = {0, 1, 0};  // step, components, rows
         for (int k = 0; k < integers; ++k) {
@@ -244,7 +246,12 @@ class GmshReader {
         if (tags[1] < 1 || tags[1] > 1000) m_scanner.fail("the number of components makes no sense");
         const int rows =
             m_numbers.checkedCount(tags[2], "rows", static_cast<std::size_t>(tags[1]), Scalar::Float64);
-        readRows({unusedName(name, perCell), perCell, static_cast<int>(tags[1]), {}}, rows);
+        if (!(std::abs(field.time) < 1e300)) field.time = 0;
+        field.step = static_cast<int>(std::clamp<std::int64_t>(tags[0], 0, 1000000000));
+        field.name = unusedName(name, perCell);
+        field.perCell = perCell;
+        field.components = static_cast<int>(tags[1]);
+        readRows(std::move(field), rows);
         endSection(end);
     }
     /// Steps of time have one name.

@@ -90,6 +90,8 @@ class GmshPrinter {
         const int rows = n == 2 ? 3 : 1;
         const auto& values = field.perCell ? field.ofCells : field.values;
         MeshField wide{field.name, field.perCell, 3 * rows, {}};
+        wide.time = field.time;
+        wide.step = field.step;
         auto& wider = field.perCell ? wide.ofCells : wide.values;
         for (std::size_t i = 0; i < values.size(); i += field.components)
             for (int row = 0; row < rows; ++row)
@@ -102,7 +104,9 @@ class GmshPrinter {
         std::string name = field.name;
         std::replace(name.begin(), name.end(), '"', '\'');
         section(field.perCell ? "$ElementData" : "$NodeData");
-        m_out << "1\n\"" << name << "\"\n1\n0\n3\n0\n"
+        m_out << "1\n\"" << name << "\"\n1\n"
+              << field.time << "\n3\n"
+              << field.step << '\n'
               << field.components << '\n'
               << values.size() / field.components << '\n';
         std::int64_t number = 1;

@@ -42,6 +42,7 @@ class Remaking {
     void remake() {
         const CellList old = std::move(m_bag.cells);
         m_bag.cells = {};
+        m_bag.cornerUv.clear();
         const auto triangles = std::move(m_bag.cellOfTriangle),
                    tetrahedra = std::move(m_bag.cellOfTetrahedron);
         m_bag.cellOfTriangle.assign(m_bag.triangles.size(), -1);
@@ -143,6 +144,11 @@ bool namesATag(const MeshField& field) {
     return field.components == 1 && std::ranges::count(tags, field.name) > 0;
 }
 
+/// Returns whether Gmsh draws values of so many components; 2 and 4 are extended.
+bool isHeldByGmsh(int components) {
+    return components == 9 || (components >= 1 && components <= 4);
+}
+
 /// Returns whether a format without fields holds one as a tag, a colour, a normal or an attribute.
 bool holdsField(const MeshFormat& format, const MeshField& field) {
     return namesATag(field) || (format.holdsColours && isColour(field, false)) ||
@@ -150,21 +156,121 @@ bool holdsField(const MeshFormat& format, const MeshField& field) {
            (format.print == printTetgen && field.name == "attribute");
 }
 
-/// What the names of groups are like in a format: letters that become underscores, and the most bytes.
+/// What names are like in a format: bytes that are replaced by another, the most bytes of a name, and whether
+/// names that differ in case alone are equal.
 struct NameRule {
     std::string_view extension, replaced;
+    char by;
     std::size_t longest;
+    bool foldsCase;
 };
-constexpr NameRule kNameRules[] = {{".obj", " \t", 1000}, {".inp", ",\"=", 80}, {".med", "", 80}};
+constexpr std::size_t kAnyLength = 100000;
+constexpr NameRule kNameRules[] = {{".obj", " \t", '_', kAnyLength, false},
+                                   {".inp", ",\"=", '_', 80, true},
+                                   {".msh", "\"", '\'', kAnyLength, false},
+                                   {".med", "", '_', 80, false}};
 /// The same for those of fields.
-constexpr NameRule kFieldRules[] = {{".ply", " \t", 1000}, {".med", "/", 64}, {".cgns", "/", 32}};
+constexpr NameRule kFieldRules[] = {{".ply", " \t", '_', kAnyLength, false},
+                                    {".msh", "\"", '\'', kAnyLength, false},
+                                    {".med", "/", '_', 64, false},
+                                    {".cgns", "/", '_', 32, false}};
+
+const NameRule* ruleOf(const MeshFormat& format, std::span<const NameRule> rules) {
+    const auto rule = std::ranges::find(rules, format.extensions.front(), &NameRule::extension);
+    return rule == rules.end() ? nullptr : &*rule;
+}
 
 /// Returns whether a file has another name for a group or a field.
 bool changesName(const MeshFormat& format, const std::string& name, std::span<const NameRule> rules) {
-    return std::ranges::any_of(rules, [&](const NameRule& rule) {
-        return rule.extension == format.extensions.front() &&
-               (name.find_first_of(rule.replaced) != std::string::npos || name.size() > rule.longest);
-    });
+    const NameRule* rule = ruleOf(format, rules);
+    return rule && (name.find_first_of(rule->replaced) != std::string::npos || name.size() > rule->longest);
+}
+
+/// Returns the first `size` bytes of a UTF-8 text, or less, so that no letter is cut.
+std::string shortened(const std::string& text, std::size_t size) {
+    if (text.size() <= size) return text;
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;
+    return text.substr(0, size);
+}
+
+/// The names that a file has for different names: those that would be equal get a number at their end.
+class DistinctNames {
+  public:
+    explicit DistinctNames(const NameRule& rule) : m_rule(rule) {}
+
+    /// Keeps a name from being given to another one.
+    void reserve(const std::string& name) { m_taken.insert(folded(name)); }
+    /// Returns the name in the file, the same one for every call with a name.
+    const std::string& of(const std::string& name) {
+        const auto [known, isNew] = m_names.try_emplace(name);
+        if (isNew) known->second = unused(name);
+        return known->second;
+    }
+    /// Returns the names that got a number.
+    const std::vector<std::string>& numbered() const { return m_numbered; }
+
+  private:
+    std::string unused(std::string name) {
+        for (char& c : name)
+            if (m_rule.replaced.find(c) != std::string_view::npos) c = m_rule.by;
+        std::string one = shortened(name, m_rule.longest);
+        for (int n = 2; !m_taken.insert(folded(one)).second; ++n) {
+            const std::string end = "_" + std::to_string(n);
+            one = shortened(name, m_rule.longest - end.size()) + end;
+        }
+        if (one != shortened(name, m_rule.longest)) m_numbered.push_back(one);
+        return one;
+    }
+    std::string folded(std::string name) const {
+        for (char& c : name)
+            if (m_rule.foldsCase && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return name;
+    }
+
+    NameRule m_rule;
+    std::map<std::string, std::string> m_names;
+    std::set<std::string> m_taken;
+    std::vector<std::string> m_numbered;
+};
+
+/// Gives groups the names that they have in a file, and returns those with a number at their end. Names that
+/// the format allows as they are take precedence.
+std::vector<std::string> nameGroupsFor(const MeshFormat& format, std::vector<MeshGroup>& groups) {
+    const NameRule* rule = ruleOf(format, kNameRules);
+    if (!rule) return {};
+    DistinctNames names(*rule), materials({format.extensions.front(), "", '_', kAnyLength, false});
+    for (const MeshGroup& group : groups)
+        if (group.name.empty())
+            names.reserve(format.print == printObj ? "ref_" + std::to_string(group.tag)
+                          : format.print == printAbaqus
+                              ? "SET-" + std::to_string(group.dimension) + "-" + std::to_string(group.tag)
+                              : std::to_string(group.tag));
+    for (const bool changed : {false, true})
+        for (MeshGroup& group : groups)
+            if (!group.name.empty() && changesName(format, group.name, kNameRules) == changed)
+                (group.material && format.print == printObj ? materials : names).of(group.name);
+    for (MeshGroup& group : groups)
+        if (!group.name.empty())
+            group.name = (group.material && format.print == printObj ? materials : names).of(group.name);
+    return names.numbered();
+}
+
+/// Does the same for fields, those of vertices and those of cells apart.
+std::vector<std::string> nameFieldsFor(const MeshFormat& format, std::vector<MeshField>& fields) {
+    const NameRule* rule = ruleOf(format, kFieldRules);
+    if (!rule) return {};
+    std::vector<std::string> numbered;
+    for (const bool perCell : {false, true}) {
+        DistinctNames names(*rule);
+        for (const bool changed : {false, true})
+            for (const MeshField& field : fields)
+                if (field.perCell == perCell && changesName(format, field.name, kFieldRules) == changed)
+                    names.of(field.name);
+        for (MeshField& field : fields)
+            if (field.perCell == perCell) field.name = names.of(field.name);
+        numbered.insert(numbered.end(), names.numbered().begin(), names.numbered().end());
+    }
+    return numbered;
 }
 
 /// Everything that is left out, as "3 lines".
@@ -189,8 +295,17 @@ class Losses {
   private:
     /// Returns whether a single thing is lost.
     bool isOne() const {
-        return m_lost.size() == 1 && (m_lost[0].starts_with("1 ") || m_lost[0].starts_with("the name of ") ||
-                                      !m_bag.notices.empty());
+        if (m_lost.size() != 1) return false;
+        const std::string& lost = m_lost[0];
+        return lost.starts_with("1 ") || lost.starts_with("the name of ") ||
+               lost.starts_with("the time of ") || (!m_bag.notices.empty() && !isPlural(lost));
+    }
+    /// Returns whether a notice of a reader names several things, as "its 3 cameras" does.
+    static bool isPlural(const std::string& notice) {
+        const auto number = notice.find_first_of("0123456789");
+        return notice.starts_with("the lists ") || notice.starts_with("the values ") ||
+               (notice.starts_with("its ") && number == 4 && !notice.starts_with("its 1 ")) ||
+               (notice.starts_with("the ") && number == 4 && !notice.starts_with("the 1 "));
     }
     /// Lists the cells that are split, lose nodes, or are left out, with their numbers.
     void countCells() {
@@ -239,23 +354,52 @@ class Losses {
             m_changed.push_back((changed == 1 ? "the name of 1 group is"
                                               : "the names of " + std::to_string(changed) + " groups are") +
                                 " changed to what the format allows");
+        std::vector<MeshGroup> named = m_bag.groups;
+        countNumbered(nameGroupsFor(m_format, named), "group is", "groups are");
         if (names > 0)
             m_lost.push_back(names == 1 ? "the name of 1 group"
                                         : "the names of " + std::to_string(names) + " groups");
+    }
+    /// Lists names that got a number at their end.
+    void countNumbered(const std::vector<std::string>& names, const char* one, const char* many) {
+        if (!names.empty())
+            m_changed.push_back(counted(names.size(), one, many) +
+                                " renamed, because another has the same name there" + listed(names));
     }
     /// Lists the fields that are lost.
     void countFields() {
         std::vector<std::string> lost;
         for (const MeshField& field : m_bag.fields) {
-            if (!m_format.holdsFields && !holdsField(m_format, field)) lost.push_back(field.name);
+            const bool isDrawn = m_format.print != printGmsh || isHeldByGmsh(field.components);
+            if ((!m_format.holdsFields && !holdsField(m_format, field)) || !isDrawn)
+                lost.push_back(field.name);
         }
         if (!lost.empty()) m_lost.push_back(counted(lost.size(), "field", "fields") + listed(lost));
+        const auto timed = std::ranges::count_if(m_bag.fields, [](const auto& one) { return one.time != 0; });
+        if (timed > 0 && m_format.print != printGmsh && lost.size() < m_bag.fields.size())
+            m_lost.push_back(timed == 1 ? "the time of 1 field"
+                                        : "the times of " + std::to_string(timed) + " fields");
         countChangedFields();
         if (const std::size_t cells = cellsWithoutValues(); cells > 0)
             m_lost.push_back("the values of " + counted(cells, "cell", "cells") + " of lower dimension");
         if (!m_bag.fileFields.empty() && !m_format.holdsFileFields)
             m_lost.push_back(counted(m_bag.fileFields.size(), "field of the file", "fields of the file"));
-        if (m_bag.uv.cols() > 0 && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+        countTexture();
+    }
+
+    /// Lists texture coordinates, those of vertices and those of corners.
+    void countTexture() {
+        const bool ofVertices = m_bag.uv.cols() > 0, ofCorners = m_bag.hasCornerUv();
+        if ((ofVertices || ofCorners) && !m_format.holdsTexture) m_lost.push_back("texture coordinates");
+        if (!ofCorners || !m_format.holdsTexture) return;
+        const bool isWhole =
+            std::ranges::all_of(m_bag.cells.kinds, [&](CellKind kind) { return m_format.holds(kind); });
+        const bool holdsCorners = m_format.print
+                                      ? (m_format.print == printObj || m_format.print == printPly) && isWhole
+                                      : ofVertices;  // glTF
+        if (!holdsCorners)
+            m_lost.push_back(ofVertices ? "texture coordinates that differ between the faces of a vertex"
+                                        : "texture coordinates that only some faces have");
     }
 
     void countChangedFields() {
@@ -267,6 +411,17 @@ class Losses {
             m_changed.push_back((changed == 1 ? "the name of 1 field is"
                                               : "the names of " + std::to_string(changed) + " fields are") +
                                 std::string(" changed to what the format allows"));
+        const bool holdsLong =
+            m_format.print == printVtu || m_format.print == printVtp || m_format.print == printVtk;
+        const auto rounded = std::ranges::count_if(m_bag.fields, [this](const MeshField& field) {
+            return !field.beyond.empty() && (m_format.holdsFields || holdsField(m_format, field));
+        });
+        if (rounded > 0 && !holdsLong)
+            m_changed.push_back("whole numbers of " +
+                                counted(static_cast<std::size_t>(rounded), "field", "fields") +
+                                " are rounded to 53 bits");
+        std::vector<MeshField> named = m_bag.fields;
+        countNumbered(nameFieldsFor(m_format, named), "field is", "fields are");
     }
     /// Returns how many cells have values that are not in the file: in CGNS files those of lower dimensions,
     /// in Exodus files those in side sets.
@@ -303,6 +458,8 @@ class Losses {
 }  // namespace
 
 MeshFile asHeld(const MeshFormat& format, MeshFile bag) {
+    nameGroupsFor(format, bag.groups);
+    nameFieldsFor(format, bag.fields);
     if (std::ranges::all_of(bag.cells.kinds, [&](CellKind kind) { return format.holds(kind); })) return bag;
     Remaking(format, bag).remake();
     return bag;

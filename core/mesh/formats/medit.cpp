@@ -61,6 +61,7 @@ class MeditReader {
             if (!isKeyword(keyword)) m_scanner.fail(inQuotes(keyword) + " where a keyword is expected");
             section(keyword);
         }
+        requireCells();
         if (std::any_of(m_vertexRefs.begin(), m_vertexRefs.end(), [](double ref) { return ref != 0; }))
             m_file.fields.push_back({"ref", false, 1, std::move(m_vertexRefs), {}, Scalar::Int32});
         addGroups(m_file, m_refs);
@@ -163,12 +164,25 @@ class MeditReader {
                 break;
             }
         }
+        if (isOfHigherOrder(keyword)) m_higherOrder = keyword;
         m_file.notices.push_back("its section " + inQuotes(keyword));
+    }
+    /// Returns whether a section holds cells with nodes between their corners: TetrahedraP2, HexahedraQ2.
+    static bool isOfHigherOrder(std::string_view keyword) {
+        if (keyword.size() < 3) return false;
+        const char family = keyword[keyword.size() - 2], order = keyword.back();
+        return (family == 'P' || family == 'Q') && order >= '2' && order <= '9';
+    }
+    void requireCells() const {
+        if (m_file.cells.empty() && !m_higherOrder.empty())
+            throw InputError("its cells have nodes between their corners (" + inQuotes(m_higherOrder) +
+                             "), which are not read from Medit files");
     }
 
     Scanner m_scanner;
     std::int64_t m_dimension = 0;
     MeshFile m_file;
+    std::string m_higherOrder;                 // a section of such cells that is passed over
     std::vector<double> m_vertexRefs, m_refs;  // of vertices and cells
     std::vector<std::size_t> m_offsets;        // of cells
     std::vector<std::pair<const MeditList*, std::vector<std::int64_t>>> m_lists;

@@ -181,6 +181,31 @@ MeshFile withBoundary(MeshFile mesh) {
     return mesh;
 }
 
+void setCornerUv(MeshFile& file, std::vector<double> cornerUv) {
+    Eigen::Matrix2Xd uv = Eigen::Matrix2Xd::Constant(2, file.points.cols(), kNone);
+    bool isWhole = true, isSingle = true, isAny = false;
+    for (int c = 0; c < file.cells.size(); ++c) {
+        if (file.cells.dimension(c) != 2) continue;
+        auto at = 2 * static_cast<std::size_t>(file.cells.begins[static_cast<std::size_t>(c)]);
+        for (const int v : file.cells[c]) {
+            const Eigen::Vector2d own(cornerUv[at], cornerUv[at + 1]);
+            at += 2;
+            if (std::isnan(own.x())) {
+                isWhole = false;
+                continue;
+            }
+            isAny = true;
+            if (std::isnan(uv(0, v)))
+                uv.col(v) = own;
+            else
+                isSingle = isSingle && uv.col(v) == own;
+        }
+    }
+    if (!isAny) return;
+    if (isWhole) file.uv = uv.unaryExpr([](double x) { return std::isnan(x) ? 0 : x; });
+    if (!isWhole || !isSingle) file.cornerUv = std::move(cornerUv);
+}
+
 void addGroupsOfFields(MeshFile& file) {
     if (!file.groups.empty()) return;
     if (const auto* usual =
@@ -195,6 +220,7 @@ void addGroupsOfFields(MeshFile& file) {
 MeshFile inOrder(const MeshFile& mesh, const std::vector<int>& order) {
     MeshFile bag = mesh;
     bag.cells = {};
+    bag.cornerUv.clear();
     std::vector<int> newNumber(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         newNumber[static_cast<std::size_t>(order[i])] = static_cast<int>(i);

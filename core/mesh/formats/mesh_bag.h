@@ -21,6 +21,11 @@ int nodeOf(const MeshFile& file, std::int64_t number);
 /// of three `letters` in order: "u_x", "u_y", "u_z" become "u" with "_" and "xyz".
 void joinVectors(MeshFile& file, std::string_view before, std::string_view letters);
 
+/// Sets the texture coordinates of a file whose cells are complete, from u and v of every node of every cell
+/// (NaN where there is none): `uv` if every corner of a face has some, with (0, 0) at vertices without a
+/// face, and `cornerUv` if those are not all that there is.
+void setCornerUv(MeshFile& file, std::vector<double> cornerUv);
+
 /// Returns a mesh as printers take it: all its cells in `cells`, a value of every field per cell for each of
 /// them, and groups. Generated cells are listed tetrahedra first, or `trianglesFirst`. Values that were
 /// computed for the tetrahedra or triangles become those of the cells that they were split from (their mean);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "core/mesh/formats/cell_split.h"
 #include "core/mesh/formats/colours.h"
@@ -37,9 +39,13 @@ class ObjReader {
         while (!m_scanner.atEnd()) statement();
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3, vertexCount());
         addCells();
-        addTexture(m_file);
+        addTexture();
         addVertexColours();
         addNormals();
+        if (!m_replaced.empty())
+            m_file.notices.push_back(m_replaced.size() == 1
+                                         ? "its object " + inQuotes(*m_replaced.begin())
+                                         : "its " + std::to_string(m_replaced.size()) + " objects");
         for (MeshGroup& group : m_groups)
             if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
         finishCells(m_file, [this](int cell) {
@@ -77,13 +83,16 @@ class ObjReader {
         if (more.size() == 4) more.erase(more.begin());
         if (more.size() == 3) m_colours.insert(m_colours.end(), more.begin(), more.end());
     }
-    /// "g" names all groups that follow, the others one: names with blanks.
+    /// "g" names all groups that follow, the others one: names with blanks. Groups replace an object.
     void group(std::string_view keyword) {
         const bool material = keyword == "usemtl";
+        if (keyword == "g" && !m_object.empty()) m_replaced.insert(m_object);
+        if (!material) m_object.clear();
         std::erase_if(m_current, [&](const auto& current) { return current.first == material; });
         while (!m_scanner.atLineEnd()) {
             const auto name = keyword == "g" ? m_scanner.word("a group") : trimmedLine();
             m_current.emplace_back(material, std::string(name));
+            if (keyword == "o") m_object = m_current.back().second;
             groupOf(m_current.back(), 2);
             if (keyword != "g") return m_scanner.seek(m_scanner.offset() - 1);
         }
@@ -122,9 +131,6 @@ class ObjReader {
                              : kind == 'l' ? 1
                                            : 0)
                 .cells.push_back(static_cast<int>(m_sizes.size()) - 1);
-        m_hasTexture = m_hasTexture &&
-                       (kind != 'f' || std::all_of(m_corners.begin() + static_cast<std::ptrdiff_t>(first),
-                                                   m_corners.end(), [](auto& c) { return c.texture >= 0; }));
     }
     Corner corner(std::string_view word) const {
         const auto slash = word.find('/');
@@ -209,15 +215,20 @@ class ObjReader {
             m_file.fields.push_back(std::move(field));
         }
     }
-    /// Only if every corner of a face has one. Vertices without a face get (0, 0).
-    void addTexture(MeshFile& file) const {
-        if (!m_hasTexture || std::ranges::count(m_kinds, 'f') == 0) return;
-        file.uv = Eigen::Matrix2Xd::Zero(2, vertexCount());
-        for (auto corner = m_corners.rbegin(); corner != m_corners.rend();
-             ++corner)  // backwards: the first one stays
-            if (corner->texture >= 0)
-                file.uv.col(corner->vertex) << m_textures[2 * corner->texture],
-                    m_textures[2 * corner->texture + 1];
+    /// Takes the texture points of corners of faces.
+    void addTexture() {
+        if (m_textures.empty()) return;
+        std::vector<double> uv;
+        std::size_t at = 0;
+        for (std::size_t c = 0; c < m_sizes.size(); ++c)
+            for (std::size_t k = 0; k < m_sizes[c]; ++k) {
+                const std::int64_t texture = m_kinds[c] == 'f' ? m_corners[at].texture : -1;
+                ++at;
+                for (std::size_t j = 0; j < 2; ++j)
+                    uv.push_back(texture < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                             : m_textures[2 * static_cast<std::size_t>(texture) + j]);
+            }
+        setCornerUv(m_file, std::move(uv));
     }
 
     Scanner m_scanner;
@@ -226,11 +237,12 @@ class ObjReader {
     std::vector<Corner> m_corners;
     std::vector<std::size_t> m_sizes, m_offsets;  // of each cell its corners and its place
     std::vector<char> m_kinds;                    // and its keyword
-    bool m_hasTexture = true;                     // all faces so far
     std::vector<MeshGroup> m_groups;
     /// By whether it is a material, its name, and the dimension of its cells.
     std::map<std::pair<std::pair<bool, std::string>, int>, std::size_t> m_known;
     std::vector<std::pair<bool, std::string>> m_current;  // groups of the cells that follow
+    std::string m_object;                                 // among them
+    std::set<std::string> m_replaced;                     // objects with groups instead
 };
 
 /// The lines that name the groups of each cell, where they change.
@@ -277,6 +289,30 @@ bool printNormals(const MeshFile& mesh, TextWriter& out) {
     return true;
 }
 
+/// Prints texture points, and returns the number of that of each node of the cells, 0 where there is none;
+/// nothing if no node has one.
+std::vector<int> printTexture(const MeshFile& mesh, TextWriter& out) {
+    std::vector<int> numbers;
+    if (!mesh.hasCornerUv()) {
+        for (const auto& uv : mesh.uv.colwise()) out << "vt " << uv.x() << ' ' << uv.y() << '\n';
+        if (mesh.uv.cols() > 0)
+            for (const int v : mesh.cells.nodes) numbers.push_back(v + 1);
+        return numbers;
+    }
+    std::map<std::pair<double, double>, int> known;
+    for (std::size_t at = 0; at < mesh.cornerUv.size(); at += 2) {
+        const std::pair uv(mesh.cornerUv[at], mesh.cornerUv[at + 1]);
+        if (std::isnan(uv.first) || std::isnan(uv.second)) {
+            numbers.push_back(0);
+            continue;
+        }
+        const auto [found, isNew] = known.try_emplace(uv, static_cast<int>(known.size()) + 1);
+        if (isNew) out << "vt " << uv.first << ' ' << uv.second << '\n';
+        numbers.push_back(found->second);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 MeshFile readObj(std::span<const MeshSource> files) {
@@ -293,17 +329,20 @@ std::vector<std::string> printObj(const MeshFile& mesh, const MeshWriteOptions&)
             out << ' ' << colours[static_cast<std::size_t>(v)][k];
         out << '\n';
     }
-    for (const auto& uv : mesh.uv.colwise()) out << "vt " << uv.x() << ' ' << uv.y() << '\n';
+    const std::vector<int> textures = printTexture(mesh, out);
     const bool normals = printNormals(mesh, out);
     GroupLines groups(mesh);
     for (int c = 0; c < mesh.cells.size(); ++c) {
         groups.print(c, out);
         const int dimension = mesh.cells.dimension(c);
         out << (dimension == 2 ? 'f' : dimension == 1 ? 'l' : 'p');
+        auto at = static_cast<std::size_t>(mesh.cells.begins[static_cast<std::size_t>(c)]);
         for (const int v : mesh.cells[c]) {
+            const int texture = textures.empty() || dimension != 2 ? 0 : textures[at];
+            ++at;
             out << ' ' << v + 1;
-            if (mesh.uv.cols() && dimension == 2) out << '/' << v + 1;
-            if (normals && dimension == 2) out << (mesh.uv.cols() ? "/" : "//") << v + 1;
+            if (texture > 0) out << '/' << texture;
+            if (normals && dimension == 2) out << (texture > 0 ? "/" : "//") << v + 1;
         }
         out << '\n';
     }

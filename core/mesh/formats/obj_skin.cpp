@@ -69,6 +69,18 @@ fs::path materialPath(const std::string& obj, std::string_view name) {
     return fs::path(obj).parent_path() / std::string(name);
 }
 
+/// Returns the material files behind "mtllib": one whose name may contain blanks, or several.
+std::vector<std::string> librariesIn(std::string_view names, const std::string& obj) {
+    std::vector<std::string> libraries{std::string(names)};
+    std::error_code error;
+    if (fs::exists(materialPath(obj, names), error)) return libraries;
+    std::vector<std::string> words;
+    for (std::string_view rest = names; !rest.empty();) words.emplace_back(takeWord(rest));
+    const bool anyThere = std::ranges::any_of(
+        words, [&](const std::string& word) { return fs::exists(materialPath(obj, word), error); });
+    return anyThere ? words : libraries;
+}
+
 /// Reads a material file. If it is missing, a warning is added to the skin.
 void readMaterials(const fs::path& path, Skin& skin, std::map<std::string, int, std::less<>>& known) {
     std::string bytes;
@@ -132,7 +144,8 @@ class LookReader {
         } else if (keyword == "f") {
             face(line);
         } else if (keyword == "mtllib") {
-            readMaterials(materialPath(m_skin.path, line), m_skin, m_known);
+            for (const std::string& name : librariesIn(line, m_skin.path))
+                readMaterials(materialPath(m_skin.path, name), m_skin, m_known);
         } else if (keyword == "usemtl") {
             const auto [entry, isNew] =
                 m_known.try_emplace(std::string(line), static_cast<int>(m_skin.materials.size()));
@@ -269,9 +282,11 @@ std::vector<std::string> objLookFiles(const std::string& bytes, const std::strin
     eachLine(bytes, [&](std::string_view line) {
         line = line.substr(0, line.find('#'));
         if (takeWord(line) != "mtllib") return;
-        const fs::path materials = materialPath(path, line);
-        files.push_back(materials.string());
-        readMaterials(materials, skin, known);
+        for (const std::string& name : librariesIn(line, path)) {
+            const fs::path materials = materialPath(path, name);
+            files.push_back(materials.string());
+            readMaterials(materials, skin, known);
+        }
     });
     for (const SkinMaterial& material : skin.materials)
         if (!material.texture.empty()) files.push_back(material.texture);
@@ -301,7 +316,9 @@ std::string withVertices(const std::string& bytes, const Skin& skin, const Point
                     ' ' + (kept ? std::string(takeWord(rest)) : normals.corner(takeWord(rest), vertex, out));
             out << corners;
         } else if (keyword == "mtllib") {
-            out << "mtllib " << renamed(std::string(rest), oldFolder, newFolder);
+            out << "mtllib";
+            for (const std::string& name : librariesIn(rest, skin.path))
+                out << ' ' << renamed(name, oldFolder, newFolder);
         } else {
             out << line;
         }

@@ -2,7 +2,10 @@
 // either order. Single properties of vertices and faces beyond position and texture coordinates are fields.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/mesh/formats/cell_split.h"
@@ -41,7 +44,8 @@ constexpr std::string_view kTakenElements[] = {"vertex", "face", "tristrips", "e
 struct Polygons {
     std::vector<std::int64_t> corners;  // of all faces, one behind the other
     std::vector<int> sizes;
-    std::vector<double> texture;  // "texcoord": u and v of each corner
+    std::vector<double> texture;    // "texcoord": u and v of each corner
+    std::vector<int> textureSizes;  // how many of these numbers each face has
 };
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
@@ -74,6 +78,7 @@ class PlyReader {
         takeFaces(file);
         takeStrips(file);
         takeEdges(file);
+        takeTexture(file);
         for (const Element& other : m_elements)
             if (other.count > 0 && std::ranges::count(kTakenElements, other.name) == 0)
                 file.notices.push_back("the " + std::to_string(other.count) + " items of its element " +
@@ -165,6 +170,7 @@ class PlyReader {
         const bool wanted = property.isCorners() && (ofFace || of == "tristrips");
         Polygons& polygons = ofFace ? m_polygons : m_strips;
         if (wanted) polygons.sizes.push_back(size);
+        if (texture) polygons.textureSizes.push_back(size);
         for (int k = 0; k < size; ++k) {
             if (texture)
                 m_polygons.texture.push_back(numbers.real(property.type, "a texture coordinate"));
@@ -200,7 +206,9 @@ class PlyReader {
             taken.insert(taken.end(), {first, second});
         }
         for (const auto& property : vertices.properties)
-            if (!property.countType && std::find(taken.begin(), taken.end(), &property) == taken.end())
+            if (property.countType)
+                file.notices.push_back("the lists " + inQuotes(property.name) + " of its vertices");
+            else if (std::find(taken.begin(), taken.end(), &property) == taken.end())
                 file.fields.push_back({property.name, false, 1, property.values, {}, property.type});
     }
     /// Takes the faces, which may be polygons.
@@ -223,10 +231,16 @@ class PlyReader {
         for (const auto& property : faces.properties)
             if (!property.countType)
                 file.fields.push_back({property.name, true, 1, property.values, {}, property.type});
-            else if (property.isTexture() && m_polygons.texture.size() == 2 * m_polygons.corners.size())
-                takeTexture(file);
-            else if (!property.isCorners())
+            else if (!property.isCorners() && (file.uv.cols() > 0 || !isTaken(property)))
                 file.notices.push_back("the lists " + inQuotes(property.name) + " of its faces");
+    }
+    /// Returns whether a list of faces is one of texture points, for some faces at least.
+    bool isTaken(const Property& property) const {
+        if (!property.isTexture() || m_polygons.textureSizes.size() != m_polygons.sizes.size()) return false;
+        for (std::size_t f = 0; f < m_polygons.sizes.size(); ++f)
+            if (const int size = m_polygons.textureSizes[f]; size != 0 && size != 2 * m_polygons.sizes[f])
+                return false;
+        return true;
     }
     /// Takes the triangle strips, as scanners write them: −1 ends a strip within a list.
     void takeStrips(MeshFile& file) {
@@ -246,13 +260,33 @@ class PlyReader {
             endStrip();
         }
         lengthenFields(file, file.cells.size() - faces);
+        const Element* element = this->element("tristrips");
+        if (!element) return;
+        const auto corners = std::ranges::find_if(element->properties, &Property::isCorners);
+        nameOthers(*element, {corners == element->properties.end() ? nullptr : &*corners}, "strips", file);
     }
-    /// Takes the texture points of all corners; for a vertex the first one counts.
+    /// Names the properties of an element that are not among those taken.
+    static void nameOthers(const Element& element, const std::vector<const Property*>& taken,
+                           const char* things, MeshFile& file) {
+        for (const Property& property : element.properties)
+            if (element.count > 0 && std::ranges::count(taken, &property) == 0)
+                file.notices.push_back("the values " + inQuotes(property.name) + " of its " + things);
+    }
+    /// Takes the texture points of the corners of faces, unless vertices have some.
     void takeTexture(MeshFile& file) const {
-        if (file.uv.cols() > 0) return;
-        file.uv = Eigen::Matrix2Xd::Zero(2, file.points.cols());
-        for (std::size_t k = m_polygons.corners.size(); k-- > 0;)
-            file.uv.col(m_polygons.corners[k]) << m_polygons.texture[2 * k], m_polygons.texture[2 * k + 1];
+        const bool fits = m_polygons.textureSizes.size() == m_polygons.sizes.size();
+        if (file.uv.cols() > 0 || m_polygons.texture.empty() || !fits) return;
+        std::vector<double> uv(2 * file.cells.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+        std::size_t at = 0, texture = 0;
+        for (std::size_t f = 0; f < m_polygons.sizes.size(); ++f) {
+            const auto corners = 2 * static_cast<std::size_t>(m_polygons.sizes[f]),
+                       own = static_cast<std::size_t>(m_polygons.textureSizes[f]);
+            for (std::size_t k = 0; own == corners && k < corners; ++k)
+                uv[at + k] = m_polygons.texture[texture + k];
+            at += corners;
+            texture += own;
+        }
+        setCornerUv(file, std::move(uv));
     }
     /// Lines between vertices.
     void takeEdges(MeshFile& file) {
@@ -260,6 +294,7 @@ class PlyReader {
         if (!edges || edges->count == 0) return;
         const auto *first = edges->find("vertex1"), *second = edges->find("vertex2");
         if (!first || !second) m_scanner.fail("the edges have no vertex1 and vertex2");
+        nameOthers(*edges, {first, second}, "edges", file);
         for (std::size_t e = 0; e < first->values.size(); ++e)
             file.cells.add(CellKind::Line, std::array{corner(whole(first->values[e]), "edge", e, file),
                                                       corner(whole(second->values[e]), "edge", e, file)});
@@ -328,8 +363,9 @@ class PlyPrinter {
         : m_mesh(mesh),
           m_binary(options.binary()),
           m_order(options.bigEndian ? std::endian::big : std::endian::little) {
+        const std::size_t most = mesh.hasCornerUv() ? 127 : 255;
         for (int c = 0; c < mesh.cells.size(); ++c)
-            m_manyCorners = m_manyCorners || mesh.cells[c].size() > 255;
+            m_manyCorners = m_manyCorners || mesh.cells[c].size() > most;
     }
 
     /// Prints header, vertices, faces and edges, as text or bytes.
@@ -337,7 +373,7 @@ class PlyPrinter {
         header();
         for (Eigen::Index v = 0; v < m_mesh.points.cols(); ++v) {
             for (double x : m_mesh.points.col(v)) number(x);
-            for (Eigen::Index k = 0; m_mesh.uv.cols() && k < 2; ++k) number(m_mesh.uv(k, v));
+            for (Eigen::Index k = 0; hasVertexUv() && k < 2; ++k) number(m_mesh.uv(k, v));
             endItem(false, static_cast<std::size_t>(v));
         }
         for (const bool lines : {false, true})
@@ -347,6 +383,7 @@ class PlyPrinter {
                     whole(static_cast<int>(m_mesh.cells[c].size()),
                           m_manyCorners ? Scalar::Int32 : Scalar::UInt8);
                 for (const int v : m_mesh.cells[c]) whole(v, Scalar::Int32);
+                if (!lines && m_mesh.hasCornerUv()) cornerTexture(c);
                 if (lines)
                     endLine();
                 else
@@ -356,19 +393,31 @@ class PlyPrinter {
     }
 
   private:
+    bool hasVertexUv() const { return m_mesh.uv.cols() > 0 && !m_mesh.hasCornerUv(); }
     void header() {
         const char* binary = m_order == std::endian::big ? "binary_big_endian" : "binary_little_endian";
         m_out << "ply\nformat " << (m_binary ? binary : "ascii") << " 1.0\nelement vertex "
               << m_mesh.points.cols() << '\n';
         for (const char* name : {"x", "y", "z"}) m_out << "property double " << name << '\n';
-        if (m_mesh.uv.cols()) m_out << "property double s\nproperty double t\n";
+        if (hasVertexUv()) m_out << "property double s\nproperty double t\n";
         fieldNames(false);
         const auto lines = std::ranges::count(m_mesh.cells.kinds, CellKind::Line);
         m_out << "element face " << m_mesh.cells.size() - lines << "\nproperty list "
               << (m_manyCorners ? "int" : "uchar") << " int vertex_indices\n";
+        if (m_mesh.hasCornerUv())
+            m_out << "property list " << (m_manyCorners ? "int" : "uchar") << " double texcoord\n";
         fieldNames(true);
         if (lines > 0) m_out << "element edge " << lines << "\nproperty int vertex1\nproperty int vertex2\n";
         m_out << "end_header\n";
+    }
+    /// Prints the texture points of the corners of a face; none if a corner has none.
+    void cornerTexture(int c) {
+        const auto first = 2 * static_cast<std::size_t>(m_mesh.cells.begins[static_cast<std::size_t>(c)]);
+        const std::span all(m_mesh.cornerUv);
+        auto uv = all.subspan(first, 2 * m_mesh.cells[c].size());
+        if (std::ranges::any_of(uv, [](double x) { return std::isnan(x); })) uv = uv.first(0);
+        whole(static_cast<int>(uv.size()), m_manyCorners ? Scalar::Int32 : Scalar::UInt8);
+        for (const double x : uv) number(x);
     }
     void fieldNames(bool perCell) {
         for (const auto& field : m_mesh.fields)

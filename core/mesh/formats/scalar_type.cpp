@@ -106,4 +106,20 @@ std::int64_t wholeNumber(SplitNumber split) {
     return static_cast<std::int64_t>(split.value) + split.beyond;
 }
 
+SplitNumber splitNumber(std::uint64_t number) {
+    const auto value = static_cast<double>(number);
+    // Modulo 2⁶⁴, to which the highest numbers are rounded.
+    const std::uint64_t whole = value < 2 * kBeyondInt64 ? static_cast<std::uint64_t>(value) : 0;
+    return {value, static_cast<std::int16_t>(static_cast<std::int64_t>(number - whole))};
+}
+
+std::uint64_t unsignedNumber(SplitNumber split) {
+    constexpr auto kHighest = std::numeric_limits<std::uint64_t>::max();
+    if (split.value >= 2 * kBeyondInt64)
+        return kHighest - static_cast<std::uint64_t>(-std::min(split.beyond + 1, 0));
+    if (!(split.value >= 0)) return 0;
+    return static_cast<std::uint64_t>(split.value) +
+           static_cast<std::uint64_t>(static_cast<std::int64_t>(split.beyond));
+}
+
 }  // namespace wend::formats

@@ -33,6 +33,8 @@ struct SplitNumber {
 /// Return the two parts of a number, and the number of two parts: wholeNumber(splitNumber(n)) is n. A double
 /// beyond the range, or NaN, gives the nearest end of it, or the lowest number.
 SplitNumber splitNumber(std::int64_t number);
+SplitNumber splitNumber(std::uint64_t number);
 std::int64_t wholeNumber(SplitNumber split);
+std::uint64_t unsignedNumber(SplitNumber split);
 
 }  // namespace wend::formats

@@ -179,20 +179,23 @@ double NumberReader::real(Scalar type, const char* what) {
     return m_binary ? decodeReal(m_scanner->raw(sizeOf(type), what), type, m_order) : m_scanner->real(what);
 }
 
+/// Reads a whole number of eight bytes, or a real one where a text has such.
+template <class Whole>
+SplitNumber NumberReader::splitReal(Scalar type, const char* what) {
+    if (m_binary)
+        return splitNumber(
+            static_cast<Whole>(decodeInteger(m_scanner->raw(sizeOf(type), what), type, m_order)));
+    const std::string_view word = m_scanner->word(what);
+    Whole number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const bool isWhole = error == std::errc() && end == word.data() + word.size();
+    return isWhole ? splitNumber(number) : SplitNumber{m_scanner->realFrom(word, what), 0};
+}
+
 double NumberReader::real(Scalar type, const char* what, std::vector<std::int16_t>& beyond) {
     if (type != Scalar::Int64 && type != Scalar::UInt64) return real(type, what);
-    SplitNumber split;
-    if (m_binary) {
-        const std::string_view bytes = m_scanner->raw(sizeOf(type), what);
-        split = splitNumber(decodeInteger(bytes, type, m_order));
-        if (type == Scalar::UInt64 && split.value < 0) split = {decodeReal(bytes, type, m_order), 0};
-    } else {
-        const std::string_view word = m_scanner->word(what);
-        std::int64_t number = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-        const bool isWhole = error == std::errc() && end == word.data() + word.size();
-        split = isWhole ? splitNumber(number) : SplitNumber{m_scanner->realFrom(word, what), 0};
-    }
+    const SplitNumber split =
+        type == Scalar::UInt64 ? splitReal<std::uint64_t>(type, what) : splitReal<std::int64_t>(type, what);
     beyond.push_back(split.beyond);
     return split.value;
 }

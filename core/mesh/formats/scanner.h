@@ -98,6 +98,9 @@ class NumberReader {
     Scanner& scanner() const { return *m_scanner; }
 
   private:
+    template <class Whole>
+    SplitNumber splitReal(Scalar type, const char* what);
+
     Scanner* m_scanner;
     bool m_binary;
     std::endian m_order;

@@ -1,10 +1,11 @@
 // 3MF: a ZIP archive with XML. The items of the build are placed as they say, with the parts that they are
 // made of, which may be in other files of the archive. Every item is a group. Numbers are the file's own, in
-// its unit.
+// its unit (see toldUnits).
 
 #include <pugixml.hpp>
 
-#include <Eigen/Core>
+#include <Eigen/LU>
+#include <iterator>
 #include <map>
 
 #include "core/base/error.h"
@@ -55,10 +56,24 @@ class ThreeMfReader {
             addGroup(item, first, ++number);
         }
         if (m_file.groups.size() == 1) m_file.groups.clear();
+        addNotices();
         m_file.points = Eigen::Map<const Eigen::Matrix3Xd>(m_points.data(), 3,
                                                            static_cast<Eigen::Index>(m_points.size() / 3));
         finishCells(m_file);
         return std::move(m_file);
+    }
+
+    /// Returns the unit of the coordinates, which the head of the model gives. Its rest, which may be large,
+    /// is not read: pugixml keeps what precedes the cut.
+    std::string unit() const {
+        constexpr std::uint64_t kHead = 4096;
+        const auto head = m_archive.file(rootName(), kHead);
+        if (!head) return {};
+        pugi::xml_document document;
+        document.load_buffer(head->data(), head->size());
+        if (!document.document_element()) return {};
+        const std::string_view named = attributeNamed(document.document_element(), "unit");
+        return std::string(named.empty() ? "millimeter" : named);
     }
 
   private:
@@ -134,7 +149,8 @@ class ThreeMfReader {
         }
     }
 
-    /// Adds the mesh of an object, with its vertices transformed.
+    /// Adds the mesh of an object, with its vertices transformed. Triangles that the transform mirrors are
+    /// turned over, so that they face outwards again.
     void addMesh(const std::string& path, pugi::xml_node mesh, const Place& place) {
         const int first = static_cast<int>(m_points.size() / 3);
         for (const auto vertex : childNamed(mesh, "vertices").children()) {
@@ -148,6 +164,7 @@ class ThreeMfReader {
             m_points.insert(m_points.end(), q.data(), q.data() + 3);
         }
         const int count = static_cast<int>(m_points.size() / 3) - first;
+        const bool isMirrored = place.topRows<3>().determinant() < 0;
         for (const auto triangle : childNamed(mesh, "triangles").children()) {
             if (localName(triangle.name()) != "triangle") continue;
             std::array<int, 3> corners{};
@@ -162,6 +179,7 @@ class ThreeMfReader {
                                      std::to_string(count) + " (counted from 0)");
                 corners[k] = first + static_cast<int>(v);
             }
+            if (isMirrored) std::swap(corners[1], corners[2]);
             m_file.cells.add(CellKind::Triangle, corners);
         }
     }
@@ -179,6 +197,25 @@ class ThreeMfReader {
         if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
     }
 
+    /// Names the colours of the models that were read, which are not.
+    void addNotices() {
+        std::size_t colours = 0, pictures = 0;
+        for (const auto& [name, document] : m_documents)
+            for (const auto resource : childNamed(document.document_element(), "resources").children()) {
+                const std::string_view kind = localName(resource.name());
+                if (kind == "basematerials" || kind == "colorgroup")
+                    colours += static_cast<std::size_t>(
+                        std::distance(resource.children().begin(), resource.children().end()));
+                pictures += kind == "texture2d";
+            }
+        if (colours > 0)
+            m_file.notices.push_back(colours == 1 ? "its colour"
+                                                  : "its " + std::to_string(colours) + " colours");
+        if (pictures > 0)
+            m_file.notices.push_back(pictures == 1 ? "its picture"
+                                                   : "its " + std::to_string(pictures) + " pictures");
+    }
+
     ZipArchive m_archive;
     std::string m_root;
     std::map<std::string, pugi::xml_document> m_documents;
@@ -194,3 +231,13 @@ MeshFile readThreeMf(std::span<const MeshSource> files) {
 }
 
 }  // namespace wend::formats
+
+namespace wend {
+
+std::string unitOfThreeMf(const std::string& path) try {
+    return formats::ThreeMfReader(path).unit();
+} catch (const InputError&) {  // reported when the mesh is needed
+    return {};
+}
+
+}  // namespace wend

@@ -1,7 +1,7 @@
 #include "core/mesh/formats/vtk_fields.h"
 
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "core/mesh/formats/mesh_bag.h"
 
@@ -55,16 +55,24 @@ std::vector<MeshField> vtkFieldsOf(const MeshFile& bag) {
     return fields;
 }
 
-std::vector<std::int64_t> longNumbers(const MeshField& field) {
-    if (field.type != Scalar::Int64 && field.type != Scalar::UInt64) return {};
-    constexpr double kHighest = 9223372036854775807.0;
-    std::vector<std::int64_t> numbers;
+template <class Whole>
+std::vector<Whole> longNumbers(const MeshField& field) {
+    constexpr bool isSigned = std::is_signed_v<Whole>;
+    if (field.type != (isSigned ? Scalar::Int64 : Scalar::UInt64)) return {};
+    constexpr double kLowest = isSigned ? -0x1p63 : 0, kBeyond = isSigned ? 0x1p63 : 0x1p64;
+    std::vector<Whole> numbers;
     for (std::size_t i = 0; i < field.values.size(); ++i) {
-        if (!(std::abs(field.values[i]) <= kHighest)) return {};
-        const std::int16_t beyond = field.beyond.empty() ? std::int16_t(0) : field.beyond[i];
-        numbers.push_back(wholeNumber({field.values[i], beyond}));
+        if (!(field.values[i] >= kLowest && field.values[i] <= kBeyond)) return {};
+        const SplitNumber split{field.values[i], field.beyond.empty() ? std::int16_t(0) : field.beyond[i]};
+        if constexpr (isSigned)
+            numbers.push_back(wholeNumber(split));
+        else
+            numbers.push_back(unsignedNumber(split));
     }
     return numbers;
 }
+
+template std::vector<std::int64_t> longNumbers(const MeshField&);
+template std::vector<std::uint64_t> longNumbers(const MeshField&);
 
 }  // namespace wend::formats

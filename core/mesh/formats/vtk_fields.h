@@ -9,8 +9,9 @@ namespace wend::formats {
 /// a volume, with 0 in its tetrahedra, else "group".
 std::vector<MeshField> vtkFieldsOf(const MeshFile& bag);
 
-/// Returns the numbers of a field whose type is a whole number of eight bytes, all digits of them. Empty for
-/// other types, and where a number is too large for it.
-std::vector<std::int64_t> longNumbers(const MeshField& field);
+/// Returns the numbers of a field whose type is that whole number of eight bytes (std::int64_t or
+/// std::uint64_t), all digits of them. Empty for other types, and where a number is outside its range.
+template <class Whole>
+std::vector<Whole> longNumbers(const MeshField& field);
 
 }  // namespace wend::formats

@@ -141,16 +141,20 @@ class VtkPrinter {
     void printField(const MeshField& field) {
         m_out << encoded(field.name) << ' ' << field.components << ' '
               << field.values.size() / field.components << ' ' << nameInVtk(field.type) << '\n';
-        if (const auto whole = longNumbers(field); !whole.empty())
+        if (const auto whole = longNumbers<std::int64_t>(field); !whole.empty())
             printLong(whole, field);
+        else if (const auto natural = longNumbers<std::uint64_t>(field); !natural.empty())
+            printLong(natural, field);
         else
             numbers(field.values, field.components, field.type);
         endArray();
     }
-    void printLong(const std::vector<std::int64_t>& values, const MeshField& field) {
+    template <class Whole>
+    void printLong(const std::vector<Whole>& values, const MeshField& field) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (m_binary)
-                appendInteger(m_out.text(), values[i], field.type, std::endian::big);
+                appendInteger(m_out.text(), static_cast<std::int64_t>(values[i]), field.type,
+                              std::endian::big);
             else
                 m_out << values[i] << ((i + 1) % static_cast<std::size_t>(field.components) ? ' ' : '\n');
         }

@@ -116,15 +116,22 @@ class VtuPrinter {
     void fieldArray(const MeshField& field, const std::string& more) {
         if (field.type == Scalar::Float64)
             return array<double>(field.name, field.components, field.values, more);
+        if (const auto numbers = longNumbers<std::int64_t>(field); !numbers.empty())
+            return longArray(field, std::span(numbers), more);
+        if (const auto numbers = longNumbers<std::uint64_t>(field); !numbers.empty())
+            return longArray(field, std::span(numbers), more);
         std::string bytes;
-        if (const auto numbers = longNumbers(field); !numbers.empty()) {
-            for (const std::int64_t one : numbers) appendInteger(bytes, one, field.type, m_encoding.order);
-            openArray(field.name, field.components, vtuScalarName(field.type), more);
-            return closeArray(std::span<const std::int64_t>(numbers), field.components, bytes);
-        }
         for (const double value : field.values) appendReal(bytes, value, field.type, m_encoding.order);
         openArray(field.name, field.components, vtuScalarName(field.type), more);
         closeArray(std::span<const double>(field.values), field.components, bytes);
+    }
+    template <class Whole>
+    void longArray(const MeshField& field, std::span<const Whole> numbers, const std::string& more) {
+        std::string bytes;
+        for (const Whole one : numbers)
+            appendInteger(bytes, static_cast<std::int64_t>(one), field.type, m_encoding.order);
+        openArray(field.name, field.components, vtuScalarName(field.type), more);
+        closeArray(numbers, field.components, bytes);
     }
     template <class T>
     void array(const std::string& name, int components, std::span<const T> values,

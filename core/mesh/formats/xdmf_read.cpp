@@ -70,21 +70,26 @@ class XdmfReader {
         throw InputError(std::string("<") + node.name() + (name.empty() ? "" : " " + inQuotes(name)) +
                          ">: " + what);
     }
-    /// Returns a grid of the domain: the last of a series in time, the first of others.
+    /// Returns a grid of the domain: of every collection within another, the last of a series in time, the
+    /// first of others.
     pugi::xml_node chosenGrid(pugi::xml_node parent) {
-        pugi::xml_node grid = parent.child("Grid");
-        if (!grid) throw InputError("there is no <Grid> in it");
-        const auto others = std::distance(parent.children("Grid").begin(), parent.children("Grid").end()) - 1;
-        const bool isSeries = std::string_view(parent.attribute("CollectionType").value()) == "Temporal";
-        if (isSeries)
-            grid = parent.find_child([&](pugi::xml_node node) {
-                return std::string_view(node.name()) == "Grid" && !node.next_sibling("Grid");
-            });
-        if (others > 0)
-            m_file.notices.push_back("its " + std::to_string(others) + " other " +
-                                     (isSeries ? "steps" : "grids"));
-        const std::string_view type = grid.attribute("GridType").as_string("Uniform");
-        return type == "Collection" || type == "Tree" ? chosenGrid(grid) : grid;
+        for (;;) {
+            pugi::xml_node grid = parent.child("Grid");
+            if (!grid) throw InputError("there is no <Grid> in it");
+            const auto others =
+                std::distance(parent.children("Grid").begin(), parent.children("Grid").end()) - 1;
+            const bool isSeries = std::string_view(parent.attribute("CollectionType").value()) == "Temporal";
+            if (isSeries)
+                grid = parent.find_child([&](pugi::xml_node node) {
+                    return std::string_view(node.name()) == "Grid" && !node.next_sibling("Grid");
+                });
+            if (others > 0)
+                m_file.notices.push_back("its " + std::to_string(others) + " other " +
+                                         (isSeries ? "step" : "grid") + (others > 1 ? "s" : ""));
+            const std::string_view type = grid.attribute("GridType").as_string("Uniform");
+            if (type != "Collection" && type != "Tree") return grid;
+            parent = grid;
+        }
     }
     /// Returns the topology or geometry of a grid, or the first one of the file: series name theirs once.
     pugi::xml_node withOwn(pugi::xml_node grid, const char* name) const {

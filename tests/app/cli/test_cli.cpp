@@ -57,6 +57,7 @@ class TestCli : public QObject {
     void infoOfBadMesh();
     void infoOfProject();
     void convert();
+    void objStaysObj();
     void devices();
     void linksAndPermissions();
 
@@ -114,6 +115,7 @@ void TestCli::helps() {
     QVERIFY(run({"bench", "--help"}).out.contains("paper"));
     QCOMPARE(run({"bench", "warp", "--keep", path()}).code, 2);
     QCOMPARE(run({"bench", "paper", "--keep", "nowhere"}).code, 3);
+    QCOMPARE(run({"bench", "nothing"}).code, 2);
 }
 
 /// docs/reference.md is the output of `wend reference`: regenerate it with that when the table of options
@@ -832,6 +834,28 @@ void TestCli::convert() {
     QCOMPARE(run({"convert", "strip.obj", "strip.xyz"}).code, 3);
     QCOMPARE(run({"convert", "nowhere.obj", "strip.vtu"}).code, 3);
     QCOMPARE(run({"convert", "strip.wend", "strip.vtu"}).code, 2);
+    for (const QStringList& words :
+         {QStringList{"convert", "-", "strip.vtu"}, {"info", "-"}, {"mesh", "-", "-o", "a.msh"}}) {
+        const CliResult refused = run(words);
+        QCOMPARE(refused.code, 2);
+        QVERIFY2(refused.error.contains("only `wend run` reads standard input"), qPrintable(refused.error));
+    }
+}
+
+/// OBJ files keep their materials, objects, smoothing groups and comments, as those of `wend run` do; a
+/// material file is named from the folder of the output.
+void TestCli::objStaysObj() {
+    QDir(path()).mkdir("obj");
+    put(path(), "look.mtl", "newmtl red\nKd 1 0 0\n");
+    put(path(), "more.mtl", "newmtl blue\nKd 0 0 1\n");
+    const std::string rest =
+        "o Head\ng left\ns 1\nusemtl red\nf 1/1 3/3 2/2\ns off\nf 1 2 4\no Tail\nf 2 3 4\nf 3 1 4\n";
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n" + rest;
+    put(path(), "look.obj", "# by hand\nmtllib look.mtl more.mtl\n" + text);
+    const CliResult result = run({"convert", "look.obj", "obj/look.obj"});
+    QCOMPARE(result.code, 0);
+    QCOMPARE(result.error, QString());
+    QCOMPARE(readTextFile(file("obj/look.obj")), "# by hand\nmtllib ../look.mtl ../more.mtl\n" + text);
 }
 
 void TestCli::devices() {

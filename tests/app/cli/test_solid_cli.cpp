@@ -188,7 +188,8 @@ void TestSolidCli::skinOutputs_data() {
     QTest::newRow("stl") << "s.stl"
                          << "texture coordinates are not in an STL file";
     QTest::newRow("off") << "s.off"
-                         << "2 groups (red, blue) are not in an OFF file";
+                         << "2 groups (red, blue) and texture coordinates that differ between the faces of "
+                            "a vertex are not in an OFF file";
 }
 void TestSolidCli::skinOutputs() {
     QFETCH(QString, name);
