@@ -80,6 +80,16 @@ bool waitForPreview(ExportDialog& dialog) {
     return QTest::qWaitFor([&] { return dialog.form().preview().isCurrent(); }, 30000);
 }
 
+/// Activates a dialog, whose fields have the focus only then.
+bool activate(ExportDialog& dialog) {
+    return QTest::qWaitFor(
+        [&] {
+            dialog.activateWindow();
+            return dialog.isActiveWindow();
+        },
+        20000);
+}
+
 void choose(ExportDialog& dialog, const char* extension) {
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
     format->setCurrentIndex(format->findData(QString::fromLatin1(extension)));
@@ -223,6 +233,7 @@ void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
     bend(-10, 25);
     for (const auto& [kind, without, with] :
          {std::tuple{ExportKind::Film, ".mp4", ".webm"}, std::tuple{ExportKind::Picture, ".jpg", ".png"}}) {
+        m_window->exporter().choices() = {};
         const auto asked = dialog(kind);
         OptionField* background = asked->form().field("--outside");
         auto* list = background->findChild<QComboBox*>();
@@ -350,6 +361,7 @@ void TestExportDialog::typedWidthIsTakenWhole() {
     const auto asked = dialog(ExportKind::Film);
     auto* width = qobject_cast<QSpinBox*>(asked->form().field("--width")->focusProxy());
     QVERIFY(width);
+    QVERIFY(activate(*asked));
     for (const auto& [typed, expected] : {std::pair{"450", 450}, {"333", 334}, {"640", 640}}) {
         width->setFocus();
         width->selectAll();
@@ -370,6 +382,7 @@ void TestExportDialog::choicesAreRemembered() {
         choose(*asked, ".webm");
         auto* loop = qobject_cast<QCheckBox*>(asked->form().field("--loop")->focusProxy());
         loop->click();
+        QVERIFY(activate(*asked));
         auto* rate = asked->form().field("--fps")->findChild<QAbstractSpinBox*>();
         rate->setFocus();
         rate->selectAll();
@@ -387,7 +400,7 @@ void TestExportDialog::choicesAreRemembered() {
     auto* panel = m_window->findChild<ExportPanel*>();
     QTRY_VERIFY(panel->isVisible());
     QCOMPARE(panel->form().field("--fps")->number(), 12.);
-    session().document().undoStack()->setClean();
+    session().document().close();
     open(writeCutOut(*m_folder));
     bend(0, 10);
     const auto asked = dialog(ExportKind::Film);
