@@ -186,6 +186,12 @@ void PartRow::paint(QPainter* painter, const QStyleOptionViewItem& option, const
         .paint(painter, sign, Qt::AlignCenter, isLocked ? QIcon::Normal : QIcon::Disabled);
 }
 
+/// Leaves a gap between the pictures of neighbouring rows.
+QSize PartRow::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    constexpr int kGap = 4;  // pixels of the screen
+    return EyeDelegate::sizeHint(option, index) + QSize(0, kGap);
+}
+
 bool PartRow::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                           const QModelIndex& index) {
     const bool presses = event->type() == QEvent::MouseButtonPress,

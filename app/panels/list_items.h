@@ -67,6 +67,7 @@ class PartRow : public EyeDelegate {
     using EyeDelegate::EyeDelegate;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
   signals:
     void lockClicked(int row);
