@@ -2723,6 +2723,10 @@
 <context>
     <name>wend::Actions</name>
     <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Dieses Bild ist keine SVG-Zeichnung: Seine Pixel stehen fest.</translation>
+    </message>
+    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen …</translation>
     </message>
@@ -6071,8 +6075,8 @@
         <translation>gesperrt</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
-        <translation>Der vorderste Teil steht oben. Ziehen Sie einen Teil, oder drücken Sie Alt mit den Pfeiltasten, um die Reihenfolge zu ändern; ohne Haken ist er verborgen; das Schloss am Ende schützt ihn vor Änderungen; ein Doppelklick ändert den Namen.</translation>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; click its eye to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>Der vorderste Teil steht oben. Ziehen Sie einen Teil, oder drücken Sie Alt mit den Pfeiltasten, um die Reihenfolge zu ändern; ein Klick auf sein Auge verbirgt ihn; das Schloss am Ende schützt ihn vor Änderungen; ein Doppelklick ändert den Namen.</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -6195,6 +6199,10 @@
 </context>
 <context>
     <name>wend::PictureDialog</name>
+    <message>
+        <source>%1 has no transparency: the background is that of the view.</source>
+        <translation>%1 kennt keine Transparenz: Der Hintergrund ist der der Ansicht.</translation>
+    </message>
     <message>
         <source>&amp;Transparent background</source>
         <translation>&amp;Durchsichtiger Hintergrund</translation>
@@ -6353,10 +6361,6 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Pins und Wege sind mit ihm angepasst. %1</translation>
-    </message>
-    <message>
-        <source>This picture is no SVG drawing: its pixels are what it has.</source>
-        <translation>Dieses Bild ist keine SVG-Zeichnung: Seine Pixel stehen fest.</translation>
     </message>
     <message>
         <source>Change drawing size</source>

@@ -2723,6 +2723,10 @@
 <context>
     <name>wend::Actions</name>
     <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Esta imagen no es un dibujo SVG: sus píxeles son los que tiene.</translation>
+    </message>
+    <message>
         <source>&amp;Open…</source>
         <translation>&amp;Abrir…</translation>
     </message>
@@ -6071,8 +6075,8 @@
         <translation>bloqueada</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
-        <translation>La parte delantera es la primera. Arrastre una parte, o pulse Alt con las flechas, para cambiar el orden; desmárquela para ocultarla; el candado del final la protege de cambios; un doble clic cambia su nombre.</translation>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; click its eye to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>La parte delantera es la primera. Arrastre una parte, o pulse Alt con las flechas, para cambiar el orden; pulse su ojo para ocultarla; el candado del final la protege de cambios; un doble clic cambia su nombre.</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -6195,6 +6199,10 @@
 </context>
 <context>
     <name>wend::PictureDialog</name>
+    <message>
+        <source>%1 has no transparency: the background is that of the view.</source>
+        <translation>%1 no tiene transparencia: el fondo es el de la vista.</translation>
+    </message>
     <message>
         <source>&amp;Proportions of the view</source>
         <translation>&amp;Proporciones de la vista</translation>
@@ -6353,10 +6361,6 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Los alfileres y trayectorias se han escalado con ella. %1</translation>
-    </message>
-    <message>
-        <source>This picture is no SVG drawing: its pixels are what it has.</source>
-        <translation>Esta imagen no es un dibujo SVG: sus píxeles son los que tiene.</translation>
     </message>
     <message>
         <source>Change drawing size</source>

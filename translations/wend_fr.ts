@@ -2723,6 +2723,10 @@
 <context>
     <name>wend::Actions</name>
     <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>Cette image n’est pas un dessin SVG : ses pixels sont ce qu’elle a.</translation>
+    </message>
+    <message>
         <source>&amp;Open…</source>
         <translation>&amp;Ouvrir…</translation>
     </message>
@@ -6071,8 +6075,8 @@
         <translation>verrouillée</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
-        <translation>La partie la plus en avant est la première. Faites glisser une partie, ou appuyez sur Alt et les flèches, pour changer l’ordre ; décochez-la pour la masquer ; le cadenas au bout la protège des modifications ; un double-clic change son nom.</translation>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; click its eye to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>La partie la plus en avant est la première. Faites glisser une partie, ou appuyez sur Alt et les flèches, pour changer l’ordre ; cliquez sur son œil pour la masquer ; le cadenas au bout la protège des modifications ; un double-clic change son nom.</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -6195,6 +6199,10 @@
 </context>
 <context>
     <name>wend::PictureDialog</name>
+    <message>
+        <source>%1 has no transparency: the background is that of the view.</source>
+        <translation>%1 n’a pas de transparence : l’arrière-plan est celui de la vue.</translation>
+    </message>
     <message>
         <source>&amp;Proportions of the view</source>
         <translation>&amp;Proportions de la vue</translation>
@@ -6353,10 +6361,6 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>Épingles et trajectoires sont mises à l’échelle avec elle. %1</translation>
-    </message>
-    <message>
-        <source>This picture is no SVG drawing: its pixels are what it has.</source>
-        <translation>Cette image n’est pas un dessin SVG : ses pixels sont ce qu’elle a.</translation>
     </message>
     <message>
         <source>Change drawing size</source>

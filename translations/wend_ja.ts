@@ -2722,6 +2722,10 @@
 <context>
     <name>wend::Actions</name>
     <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>この画像は SVG の図ではないため、ピクセル数は決まっています。</translation>
+    </message>
+    <message>
         <source>&amp;Open…</source>
         <translation>開く(&amp;O)…</translation>
     </message>
@@ -6059,8 +6063,8 @@
         <translation>ロック中</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
-        <translation>いちばん手前のパーツが先頭です。ドラッグするか Alt と矢印キーで順序を変えます。チェックを外すと隠れ、右端の錠で変更から保護し、ダブルクリックで名前を変えます。</translation>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; click its eye to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>いちばん手前のパーツが先頭です。ドラッグするか Alt と矢印キーで順序を変えます。目をクリックすると隠れ、右端の錠で変更から保護し、ダブルクリックで名前を変えます。</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -6183,6 +6187,10 @@
 </context>
 <context>
     <name>wend::PictureDialog</name>
+    <message>
+        <source>%1 has no transparency: the background is that of the view.</source>
+        <translation>%1 は透明を持てません。背景は表示と同じです。</translation>
+    </message>
     <message>
         <source>&amp;Proportions of the view</source>
         <translation>ビューの縦横比(&amp;P)</translation>
@@ -6341,10 +6349,6 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>ピンと軌道も合わせて拡大縮小しました。%1</translation>
-    </message>
-    <message>
-        <source>This picture is no SVG drawing: its pixels are what it has.</source>
-        <translation>この画像は SVG の図ではないため、ピクセル数は決まっています。</translation>
     </message>
     <message>
         <source>Change drawing size</source>

@@ -2722,6 +2722,10 @@
 <context>
     <name>wend::Actions</name>
     <message>
+        <source>This picture is no SVG drawing: its pixels are what it has.</source>
+        <translation>此图片不是 SVG 绘图：其像素是固定的。</translation>
+    </message>
+    <message>
         <source>&amp;Open…</source>
         <translation>打开(&amp;O)…</translation>
     </message>
@@ -6059,8 +6063,8 @@
         <translation>已锁定</translation>
     </message>
     <message>
-        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; clear its check to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
-        <translation>最前面的部件排在第一。拖动部件或按 Alt 加方向键可改变前后顺序;取消勾选可隐藏;行尾的锁可防止更改;双击可更改名称。</translation>
+        <source>The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies in front; click its eye to hide it; the lock at its end protects it from changes; a double-click changes its name.</source>
+        <translation>最前面的部件排在第一。拖动部件或按 Alt 加方向键可改变前后顺序;点击眼睛可隐藏;行尾的锁可防止更改;双击可更改名称。</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -6183,6 +6187,10 @@
 </context>
 <context>
     <name>wend::PictureDialog</name>
+    <message>
+        <source>%1 has no transparency: the background is that of the view.</source>
+        <translation>%1 不支持透明：背景与视图相同。</translation>
+    </message>
     <message>
         <source>&amp;Proportions of the view</source>
         <translation>视图的宽高比(&amp;P)</translation>
@@ -6341,10 +6349,6 @@
     <message>
         <source>Pins and paths are scaled with it. %1</source>
         <translation>图钉和路径已随之缩放。%1</translation>
-    </message>
-    <message>
-        <source>This picture is no SVG drawing: its pixels are what it has.</source>
-        <translation>此图片不是 SVG 绘图：其像素是固定的。</translation>
     </message>
     <message>
         <source>Change drawing size</source>

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "app/style/colours.h"
@@ -53,6 +54,16 @@ void setLayerOf(QListWidgetItem& item, Id layer) {
 
 Id layerOf(const QListWidgetItem* item) {
     return item ? Id{item->data(kLayerId).toULongLong()} : Id::None;
+}
+
+KeptScroll::KeptScroll(QAbstractItemView& list)
+    : m_list(list), m_scrolled(list.verticalScrollBar()->value()) {}
+
+/// Lays the new rows out first, because the range of the scroll bar follows them.
+KeptScroll::~KeptScroll() {
+    m_list.doItemsLayout();
+    m_list.verticalScrollBar()->setValue(m_scrolled);
+    if (m_list.currentIndex().isValid()) m_list.scrollTo(m_list.currentIndex());
 }
 
 void EyeDelegate::drawCheck(QPainter* painter, const QStyleOptionViewItem& option, const QRect& rect,
@@ -136,11 +147,15 @@ QIcon partIcon(const PicturePart& part, const Image* picture, const QPalette& pa
     QImage seen = sampledPicture(*picture);
     const QRect box = opaqueBox(seen);
     if (!box.isEmpty()) seen = seen.copy(box);
-    constexpr int kSide = kIconScale * kPartIcon, kMark = kSide / 2;
+    constexpr int kSide = kIconScale * kPartIcon, kMark = kSide / 2, kSquare = kSide / 8;
     seen = seen.scaled(kSide, kSide, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const Theme theme = Theme::of(palette).behind(lightnessOf(seen));
     QPixmap drawn(kSide, kSide);
-    drawn.fill(Qt::transparent);
+    drawn.fill(theme.checkerA);
     QPainter painter(&drawn);
+    for (int y = 0; y < kSide; y += kSquare)
+        for (int x = y % (2 * kSquare); x < kSide; x += 2 * kSquare)
+            painter.fillRect(x, y, kSquare, kSquare, theme.checkerB);
     painter.drawImage((kSide - seen.width()) / 2, (kSide - seen.height()) / 2, seen);
     if (!part.joints.empty()) {
         const QRect at(0, kSide - kMark, kMark, kMark);
@@ -162,13 +177,19 @@ void PartRow::paint(QPainter* painter, const QStyleOptionViewItem& option, const
     const QWidget* widget = option.widget;
     widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &bare, painter, widget);
     bare.rect.setRight(signRoom(option.rect).left() - 1);
-    QStyledItemDelegate::paint(painter, bare, index);
+    EyeDelegate::paint(painter, bare, index);
     const bool isLocked = index.data(kLockedRole).toBool(), isChosen = option.state & QStyle::State_Selected;
     QRect sign(0, 0, kSign, kSign);
     sign.moveCenter(signRoom(option.rect).center());
     const QPalette palette = isChosen ? primaryPalette(option.palette) : option.palette;
     wendIcon(isLocked ? QStringLiteral("lock") : QStringLiteral("unlock"), palette)
         .paint(painter, sign, Qt::AlignCenter, isLocked ? QIcon::Normal : QIcon::Disabled);
+}
+
+/// Leaves a gap between the pictures of neighbouring rows.
+QSize PartRow::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    constexpr int kGap = 4;  // pixels of the screen
+    return EyeDelegate::sizeHint(option, index) + QSize(0, kGap);
 }
 
 bool PartRow::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
@@ -184,7 +205,7 @@ bool PartRow::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyle
     }
     QStyleOptionViewItem bare = option;
     bare.rect.setRight(signRoom(option.rect).left() - 1);
-    return QStyledItemDelegate::editorEvent(event, model, bare, index);
+    return EyeDelegate::editorEvent(event, model, bare, index);
 }
 
 }  // namespace wend

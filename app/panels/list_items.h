@@ -3,11 +3,11 @@
 #include <QIcon>
 #include <QItemDelegate>
 #include <QString>
-#include <QStyledItemDelegate>
 
 #include "app/project/edits/material_edits.h"
 #include "app/project/part.h"
 
+class QAbstractItemView;
 class QListWidgetItem;
 class QPalette;
 
@@ -21,6 +21,20 @@ QIcon graySwatch();
 /// Store and return the layer of an item of a list; Id::None for none, or without an item.
 void setLayerOf(QListWidgetItem& item, Id layer);
 Id layerOf(const QListWidgetItem* item);
+
+/// Keeps the scroll position of a list whose rows are made anew during its lifetime, as far as the current
+/// row stays visible.
+class KeptScroll {
+  public:
+    explicit KeptScroll(QAbstractItemView& list);
+    ~KeptScroll();
+    KeptScroll(const KeptScroll&) = delete;
+    KeptScroll& operator=(const KeptScroll&) = delete;
+
+  private:
+    QAbstractItemView& m_list;
+    int m_scrolled;
+};
 
 /// Draws an eye, open or closed, in the place of the box that is ticked.
 class EyeDelegate : public QItemDelegate {
@@ -43,16 +57,17 @@ QString describedPart(const PicturePart& part);
 /// joined to another one. Null without a picture.
 QIcon partIcon(const PicturePart& part, const Image* picture, const QPalette& palette);
 
-/// Draws the rows of parts, each with a lock at its end, and emits a click on it.
-class PartRow : public QStyledItemDelegate {
+/// Draws the rows of parts, each with an eye and with a lock at its end, and emits a click on the lock.
+class PartRow : public EyeDelegate {
     Q_OBJECT
 
   public:
     static constexpr int kLockedRole = Qt::UserRole + 1;
 
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using EyeDelegate::EyeDelegate;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
   signals:
     void lockClicked(int row);

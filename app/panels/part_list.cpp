@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QLocale>
+#include <QStandardItemModel>
 #include <QWidget>
 #include <algorithm>
 #include <array>
@@ -154,7 +155,7 @@ void PartList::makeList() {
     describe(
         m_list, tr("Parts of the picture"),
         tr("The frontmost part is first. Drag a part, or press Alt with the arrow keys, to change what lies "
-           "in front; clear its check to hide it; the lock at its end protects it from changes; a "
+           "in front; click its eye to hide it; the lock at its end protects it from changes; a "
            "double-click changes "
            "its name."));
     auto* rows = new PartRow(m_list);
@@ -184,11 +185,22 @@ void PartList::makeChips() {
         [this](bool on) {
             if (chosen() >= 0) lock(chosen(), on);
         });
-    // Words would make them wider than the column.
+    m_lock->setCheckable(true);
+    showIcons();
+}
+
+/// Shows signs, because words would make the buttons wider than the column.
+void PartList::showIcons() {
     for (const auto& [button, icon] :
          {std::pair{m_forward, "move-up"}, {m_backward, "move-down"}, {m_lock, "lock"}})
         button->setIcon(wendIcon(QString::fromLatin1(icon), palette()));
-    m_lock->setCheckable(true);
+}
+
+void PartList::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange) return;
+    showIcons();
+    showPictures();
 }
 
 void PartList::makeFields() {
@@ -251,6 +263,7 @@ void PartList::changeChosen(const QString& step, const Change& change, const QSt
 }
 
 void PartList::showParts() {
+    const KeptScroll scroll(*m_list);  // until the rows have their pictures, which decide about their height
     {
         const QSignalBlocker quiet(m_list);
         const QString name = m_list->currentItem() ? m_list->currentItem()->text() : QString();
@@ -279,6 +292,7 @@ void PartList::takeFrame() {
     if (texture().get() == m_texture.get()) return;
     showPictures();
     showBlend();
+    allowJoints();
 }
 
 std::shared_ptr<const Texture> PartList::texture() const {
@@ -342,6 +356,25 @@ void PartList::fillChoices() {
     fill(m_rides, own.ridesOn, [this](int i) { return mayRide(parts(), chosen(), i); });
     fill(m_joined, own.joints.empty() ? std::string() : own.joints.front().to,
          [&](int i) { return own.ridesOn.empty() && parts()[std::size_t(i)].ridesOn.empty(); });
+    allowJoints();
+}
+
+/// Disables parts that the chosen one does not overlap, once the shape is known: a joint would have no place.
+void PartList::allowJoints() {
+    const auto frame = m_motion.frame<2>();
+    const auto* model = qobject_cast<QStandardItemModel*>(m_joined->model());
+    if (chosen() < 0 || !frame) return;
+    const PicturePart& own = parts()[static_cast<std::size_t>(chosen())];
+    for (int i = 1; i < m_joined->count(); ++i) {
+        const std::string to = m_joined->itemText(i).toStdString();
+        const bool isJoined = !own.joints.empty() && own.joints.front().to == to;
+        const bool isKnown =
+            std::ranges::find(frame->rest->parts, to, &MeshPart::name) != frame->rest->parts.end();
+        const bool may = isJoined || !isKnown || jointPlace(*frame->rest, own.name, to).has_value();
+        model->item(i)->setEnabled(may);
+        model->item(i)->setToolTip(
+            may ? QString() : tr("These parts do not overlap at rest: there is no place for a joint."));
+    }
 }
 
 /// Defers the edit, because the list is in the middle of its own change.

@@ -39,6 +39,7 @@ class PartList : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     const std::vector<PicturePart>& parts() const;
@@ -46,6 +47,7 @@ class PartList : public QWidget {
     void makeList();
     void makeChips();
     void makeFields();
+    void showIcons();
     void showParts();
     void showChosen();
     void showPictures();
@@ -53,6 +55,7 @@ class PartList : public QWidget {
     std::shared_ptr<const Texture> texture() const;
     void showBlend();
     void fillChoices();
+    void allowJoints();
     void takeItem(QListWidgetItem* item);
     void takeOrder(int from, int to);
     void lock(int part, bool locked);

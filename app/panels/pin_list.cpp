@@ -11,6 +11,7 @@
 
 #include "app/base/connect_each.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/panels/list_items.h"
 #include "app/project/design.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/edits/pin_edits.h"
@@ -175,6 +176,7 @@ void PinList::showPins() {
 
 /// Rebuilds all rows and keeps the focus.
 void PinList::arrangeRows(const std::vector<int>& groups, std::size_t groupCount) {
+    const KeptScroll scroll(*m_list);
     const QTreeWidgetItem* current = m_list->currentItem();
     const int before = current && !isHeading(*current) ? current->data(Name, kHandleRole).toInt() : -1;
     m_list->clear();

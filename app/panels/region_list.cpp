@@ -219,6 +219,7 @@ QString RegionList::valueText(double value) const {
 void RegionList::showLayers() {
     {
         const QSignalBlocker quiet(m_list);
+        const KeptScroll scroll(*m_list);
         std::vector<Id> before;
         for (int row = 0; row < m_list->count(); ++row) before.push_back(layerOf(m_list->item(row)));
         const bool oneMore = isVisible() && layers().size() == before.size() + 1;

@@ -119,6 +119,34 @@ Theme Theme::of(const QPalette& palette) {
     return theme;
 }
 
+double lightnessOf(const QImage& image) {
+    const QImage pixels = image.convertToFormat(QImage::Format_ARGB32);
+    double sum = 0, weight = 0;
+    for (int y = 0; y < pixels.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(pixels.constScanLine(y));
+        for (int x = 0; x < pixels.width(); ++x) {
+            const QRgb pixel = row[x];
+            sum +=
+                qAlpha(pixel) * (0.2126 * qRed(pixel) + 0.7152 * qGreen(pixel) + 0.0722 * qBlue(pixel)) / 255;
+            weight += qAlpha(pixel);
+        }
+    }
+    return weight > 0 ? sum / weight : 1;
+}
+
+Theme Theme::behind(double lightness) const {
+    constexpr double kDark = 0.35, kLight = 0.93;
+    Theme theme = *this;
+    if (dark && lightness < kDark) {
+        theme.checkerA = QColor(0xe4e5ea);
+        theme.checkerB = QColor(0xd6d7de);
+    } else if (!dark && lightness > kLight) {
+        theme.checkerA = QColor(0xc4c6d0);
+        theme.checkerB = QColor(0xb6b8c3);
+    }
+    return theme;
+}
+
 QPalette wendPalette(Appearance appearance, const QPalette& system) {
     const bool dark = appearance == Appearance::Dark || (appearance == Appearance::System && isDark(system));
     return dark ? darkPalette() : lightPalette();

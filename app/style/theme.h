@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QIcon>
+#include <QImage>
 #include <QPalette>
 #include <QString>
 
@@ -19,7 +20,14 @@ struct Theme {
     QColor danger, warning, success;  // never without a sign
 
     static Theme of(const QPalette& palette);
+    /// Returns the theme with checks from which a picture of this mean lightness (0 to 1) stands out: light
+    /// ones behind dark ink in the dark theme, grey ones behind white in the light theme.
+    Theme behind(double lightness) const;
 };
+
+/// Returns the mean lightness from 0 (black) to 1 (white) of what is not transparent: the luma (BT.709) of
+/// its colours, weighted with alpha. 1 for an empty image.
+double lightnessOf(const QImage& image);
 
 enum class Appearance { System, Light, Dark };
 

@@ -33,6 +33,7 @@
 #include "app/project/design.h"
 #include "app/project/domain.h"
 #include "app/project/edits/film_edits.h"
+#include "app/project/edits/scaled_project.h"
 #include "app/session/calm_follower.h"
 #include "app/session/opening.h"
 #include "app/session/part_making.h"
@@ -438,7 +439,9 @@ void MainWindow::showSelection() {
     const Document& document = m_session.document();
     const bool hasPicture = !document.isEmpty() && document.dimension() == 2 &&
                             (document.picture() || !document.domain().texture.empty());
-    m_actions->setHasFile(!document.isEmpty(), hasPicture, document.dimension() == 3);
+    const bool hasDrawing =
+        hasPicture && !drawingIn(document.domain(), document.folder().toStdString()).empty();
+    m_actions->setHasFile(!document.isEmpty(), hasPicture, hasDrawing, document.dimension() == 3);
     m_actions->setHasSelection(!m_session.selection().isEmpty());
     m_actions->setHasMotion(m_session.playback().end() > 0);
 }

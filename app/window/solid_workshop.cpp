@@ -43,6 +43,9 @@ SolidWorkshop::SolidWorkshop(const Surroundings& around, QWidget& window)
                 &DetailChooser::remove);
     connect(m_detail, &DetailChooser::chosen, this, [this] { m_actions.detail->setChecked(true); });
     connect(&around.session.document(), &Document::projectChanged, this, &SolidWorkshop::showDomain);
+    connect(&around.session.document(), &Document::opened, this, [this] {
+        for (auto& [film, settings] : m_settings) settings = {settings.format};
+    });
     around.properties.showCutWhile(*m_actions.cut);
 }
 
@@ -189,6 +192,8 @@ void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
     PictureDialog dialog(
         m_canvas->size() * m_canvas->devicePixelRatioF(), m_canvas->viewport().showsMap(), &m_window,
         [this](const PictureChoice& choice) { return viewPicture(*m_canvas, choice); }, film);
+    PictureSettings& settings = m_settings[film.has_value()];
+    dialog.set(settings);
     QString path;
     while (path.isEmpty()) {
         if (dialog.exec() != QDialog::Accepted) return;
@@ -198,6 +203,7 @@ void SolidWorkshop::askForView(const std::optional<FilmSubject>& film) {
                               dialog.filter());
         if (!path.isEmpty() && !m_around.exporter.mayReplace(ExportKind::Picture, path, 0)) path.clear();
     }
+    settings = dialog.settings();
     try {
         if (!writeViewPicture(path, *m_canvas, dialog.choice())) return;
         m_around.banner.clear(InfoBanner::Topic::Export);  // an export that failed before has its file now

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "app/tools/tool.h"
@@ -81,6 +82,7 @@ class SolidWorkshop : public QObject {
     bool m_isActive = false;
     int m_lastCut = 2;
     PlainView m_plain;
+    std::map<bool, PictureSettings> m_settings;  // of exported views, and with true of films
 };
 
 }  // namespace wend

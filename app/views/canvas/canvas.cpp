@@ -263,8 +263,8 @@ void ShapeCanvas::paintEvent(QPaintEvent*) {
     m_viewport.marksPainted();
     QPainter painter(this);
     const Looks& looks = m_viewport.looks();
-    const Theme theme = m_viewport.theme();
-    Ground::Look look{m_view, size(), devicePixelRatioF(), {}, looks.backdrop, theme.dark};
+    const Theme theme = m_shape.theme();
+    Ground::Look look{m_view, size(), devicePixelRatioF(), {}, looks.backdrop, theme.dark, theme.checkerA};
     if (m_session.document().picture()) look.paper = frameRect();
     m_ground.paint(painter, look, theme, m_session.motion().isDragging() || m_session.playback().isPlaying());
     m_onion.setShown(looks.onionSkin);

@@ -92,6 +92,11 @@ std::shared_ptr<const ScreenPicture> DrawnShape::pictureOf(const PosedPtr<2>& fr
     return m_pictureOf == frame->built->picture ? m_picture : nullptr;
 }
 
+Theme DrawnShape::theme() const {
+    const Theme theme = m_viewport.theme();
+    return m_picture && !m_picture->opaque() ? theme.behind(m_picture->lightness()) : theme;
+}
+
 /// Returns whether there is what is to be drawn.
 bool DrawnShape::isReady() const {
     return frame() && (pictureOf(frame()) || !document().picture());
@@ -163,7 +168,7 @@ RenderRequest DrawnShape::request(Filter filter) const {
     request.colours = looks.colours;
     if (request.map) request.plain = plainValue(motion(), looks.colours.measure);
     if (request.map) request.velocity = fieldOf(motion(), looks.colours.measure);
-    const Theme theme = m_viewport.theme();
+    const Theme theme = this->theme();
     request.fill = theme.dark ? QColor(0x5b6070) : QColor(0xbfc6dd);
     request.ground = !m_picture                 ? theme.workspace
                      : looks.backdrop.isValid() ? looks.backdrop

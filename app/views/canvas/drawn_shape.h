@@ -36,6 +36,8 @@ class DrawnShape : public QObject {
     /// Returns whether the document's picture is not ready to be drawn yet, which takes a while for large
     /// ones.
     bool isPreparing() const { return m_source && !m_picture; }
+    /// Returns the colours of the window, with checks from which the picture stands out.
+    Theme theme() const;
     /// Returns the last drawing; null before.
     const std::shared_ptr<const RenderResult>& drawn() const { return m_drawn; }
     /// Returns whether the last drawing is current and of full quality.

@@ -22,6 +22,7 @@ class Ground {
         std::optional<QRectF> paper;  // in the picture's pixels
         QColor colour;                // of the paper; none: checks
         bool dark = false;
+        QColor checks = {};  // the first of their colours
         bool operator==(const Look&) const = default;
     };
 

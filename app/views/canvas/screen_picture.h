@@ -22,9 +22,15 @@ class ScreenPicture {
     QImage warped(const SimplicialMesh<2>& rest, const Points2& pose, const View& view,
                   const WarpOptions& options) const;
     const Image& image() const { return m_pyramid.base(); }
+    /// Returns the mean lightness from 0 (black) to 1 (white) of what is not transparent: the luma (BT.709)
+    /// of encoded colours, weighted with alpha. 1 for an empty picture.
+    double lightness() const { return m_lightness; }
+    /// Returns whether no pixel is transparent.
+    bool opaque() const { return m_pyramid.opaque(); }
 
   private:
     Pyramid m_pyramid;
+    double m_lightness;
 };
 
 }  // namespace wend

@@ -31,7 +31,7 @@ Actions::Actions(QUndoStack& undoStack, Toolbox& tools, QObject* parent)
     makeView();
     makeMotion();
     makeHelp();
-    setHasFile(false, false, false);
+    setHasFile(false, false, false, false);
     setHasSelection(false);
     setHasMotion(false);
 }
@@ -280,7 +280,7 @@ void Actions::fillTools(QMenu& menu) const {
         }
 }
 
-void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
+void Actions::setHasFile(bool has, bool hasPicture, bool hasDrawing, bool isSolid) {
     const QString why = tr("Open a picture first.");
     for (QAction* action : {save, saveAs, closeFile, exportMesh, selectAll, selectNone, showMesh, showMap,
                             showMarks, showArrows, hideOverlays, showRest, compare, fit, zoomIn, zoomOut,
@@ -294,7 +294,8 @@ void Actions::setHasFile(bool has, bool hasPicture, bool isSolid) {
     enable(exportFrames, has, why);
     enable(exportFilm, has && (hasPicture || isSolid), has ? noPicture : why);
     enable(replacePicture, has && hasPicture && !isSolid, has ? noPicture : why);
-    enable(drawingSize, has && hasPicture && !isSolid, has ? noPicture : why);
+    enable(drawingSize, has && hasDrawing,
+           has ? tr("This picture is no SVG drawing: its pixels are what it has.") : why);
     for (QAction* action : {exportStMap, makePart}) enable(action, has && hasPicture, has ? noPicture : why);
     const QList<QKeySequence> key = {QKeySequence(tr("Ctrl+E"))};  // exports the shown view
     setKeysOf(exportPicture, isSolid ? QList<QKeySequence>() : key);

@@ -41,7 +41,7 @@ class Actions : public ActionMaker {
     /// Motion, `edits` into Edit.
     void fillMenuBar(QMainWindow& window, QMenu* more, QMenu* curve, const QList<QMenu*>& edits);
     /// Enables what needs a shape, a selection or a motion.
-    void setHasFile(bool has, bool hasPicture, bool isSolid);
+    void setHasFile(bool has, bool hasPicture, bool hasDrawing, bool isSolid);
     void setHasSelection(bool has);
     /// Resets view options and the tool for another document.
     void resetView();

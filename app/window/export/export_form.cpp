@@ -34,8 +34,9 @@ constexpr int kNumberWidth = 140;  // common width, since they are in one column
 
 }  // namespace
 
-ExportForm::ExportForm(Fields place, QWidget* parent)
+ExportForm::ExportForm(Fields place, ExportChoices& choices, QWidget* parent)
     : QWidget(parent),
+      m_choices(choices),
       m_preview(place == Fields::Beside ? new ExportPreview(this)
                                         : new ExportPreview(this, {0, kLow}, {0, kLow})),
       m_format(new QComboBox(this)),
@@ -47,7 +48,7 @@ ExportForm::ExportForm(Fields place, QWidget* parent)
     m_format->setObjectName(QStringLiteral("format"));
     describe(m_format, tr("Format"), tr("What kind of file is written."));
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        m_formats[kind()] = m_format->currentText();
+        m_choices.formats[kind()] = m_format->currentText();
         adapt();
     });
     makeFields();
@@ -68,11 +69,12 @@ void ExportForm::setSubject(const ExportSubject& subject) {
     if (!m_subject.picture) m_subject.picture = prepared;
     showFormats();
     showPart();
+    takeChoices();
     const double rate = shape()->frameRate();
-    if (m_rate != rate) field("--fps")->setNumber(rate);
-    if (m_seconds != shape()->seconds() || m_rate != rate) tieRate(*field("--fps"));
-    m_seconds = shape()->seconds();
-    m_rate = rate;
+    if (m_choices.rate != rate) field("--fps")->setNumber(rate);
+    if (m_choices.seconds != shape()->seconds() || m_choices.rate != rate) tieRate(*field("--fps"));
+    m_choices.seconds = shape()->seconds();
+    m_choices.rate = rate;
     adapt();
     if (!subject.solidView.isNull()) {
         m_preview->setProperty("bare", true);
@@ -81,17 +83,22 @@ void ExportForm::setSubject(const ExportSubject& subject) {
     if (shape()->picture() && !m_subject.picture) preparePicture();
 }
 
-void ExportForm::reset() {
+/// Sets the fields to the choices, or to their defaults. Leaves equal ones alone, which may be edited.
+void ExportForm::takeChoices() {
     for (qsizetype k = 0; k < m_fields.size(); ++k) {
         OptionField& field = *m_fields[k];
-        const auto& [value, number] = m_defaults[static_cast<std::size_t>(k)];
+        const auto known = m_choices.values.find(field.flag());
+        const auto& [value, number] =
+            known != m_choices.values.end() ? known->second : m_defaults[static_cast<std::size_t>(k)];
         const QSignalBlocker quiet(field);
         if (!field.choices().isEmpty() && field.value() != value) field.setValue(value);
         if (field.choices().isEmpty() && field.number() != number) field.setNumber(number);
     }
-    m_part.reset();
-    m_wasTransparent = false;
-    m_seconds = m_rate = 0;
+}
+
+void ExportForm::keepChoices() {
+    for (const OptionField* field : std::as_const(m_fields))
+        m_choices.values[field->flag()] = {field->value(), field->number()};
 }
 
 /// Keeps the last preview unless it belongs to another document.
@@ -109,24 +116,26 @@ bool ExportForm::isReady() const {
     return shape() && m_problem->text().isEmpty();
 }
 
-/// Selects a newly drawn crop, and no longer offers one that is removed.
+/// Offers a crop, and selects it if it is newly drawn.
 void ExportForm::showPart() {
-    if (m_subject.part == m_part) return;
-    m_part = m_subject.part;
-    QStringList choices{QStringLiteral("picture"), QStringLiteral("fit")};
-    if (m_part) choices << QString::fromStdString(textOf(*m_part));
     OptionField* canvas = field("--canvas");
-    const QSignalBlocker quiet(canvas);
-    canvas->setChoices(choices);
-    if (!m_part) return;
-    canvas->setWords(choices.last(), tr("Cropped"));
-    canvas->setValue(choices.last().toStdString());
+    if (m_subject.part != m_part) {
+        m_part = m_subject.part;
+        QStringList choices{QStringLiteral("picture"), QStringLiteral("fit")};
+        if (m_part) choices << QString::fromStdString(textOf(*m_part));
+        const QSignalBlocker quiet(canvas);
+        canvas->setChoices(choices);
+        if (m_part) canvas->setWords(choices.last(), tr("Cropped"));
+    }
+    if (m_choices.part == m_part) return;
+    m_choices.part = m_part;
+    if (m_part) m_choices.values[canvas->flag()] = {textOf(*m_part), canvas->choices().size() - 1.0};
 }
 
 /// Lists the formats of the kind and keeps the last choice.
 void ExportForm::showFormats() {
     const QSignalBlocker quiet(m_format);
-    const QString before = m_formats[kind()];
+    const QString before = m_choices.formats[kind()];
     m_format->clear();
     for (const ExportFormat& format : exportFormats(kind(), *shape())) {
         m_format->addItem(format.name, format.extension);
@@ -189,7 +198,7 @@ OptionValues ExportForm::values() const {
 void ExportForm::tie(const OptionField& changed) {
     if (!shape()) return;
     if (&changed == field("--width")) tieWidth();
-    if (&changed == field("--outside")) m_wasTransparent = false;
+    if (&changed == field("--outside")) m_choices.wasTransparent = false;
     tieRate(changed);
 }
 
@@ -230,6 +239,7 @@ void ExportForm::adapt() {
     if (takes("--outside")) showBackgrounds();
     showCrop();
     showWidth();
+    keepChoices();
     m_facts->setText(pixels());
     tellProblem(missingProgram());
     askPreview();
@@ -283,10 +293,10 @@ void ExportForm::showBackgrounds() {
     background->allow(
         0, holds, tr("%1 has no transparency: pictures are placed on white.").arg(m_format->currentText()));
     const std::string from = holds ? "white" : "transparent", to = holds ? "transparent" : "white";
-    if (background->value() != from || (holds && !m_wasTransparent)) return;
+    if (background->value() != from || (holds && !m_choices.wasTransparent)) return;
     const QSignalBlocker quiet(background);
     background->setValue(to);
-    m_wasTransparent = !holds;
+    m_choices.wasTransparent = !holds;
 }
 
 void ExportForm::showCrop() {
@@ -452,7 +462,10 @@ void ExportForm::lay(Fields place) {
     if (beside) all->addWidget(m_facts);
     all->addWidget(m_crop);
     all->addWidget(m_problem);
-    for (auto* number : findChildren<QAbstractSpinBox*>()) number->setMinimumWidth(kNumberWidth);
+    for (auto* number : findChildren<QAbstractSpinBox*>()) {
+        number->setMinimumWidth(kNumberWidth);
+        number->setKeyboardTracking(false);  // a size is made even once it is complete, not at every digit
+    }
     for (QComboBox* box : findChildren<QComboBox*>()) {
         box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         if (beside) {

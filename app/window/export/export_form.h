@@ -24,6 +24,16 @@ struct ExportSubject {
     std::optional<PixelRect> part = {};                 // of the picture that was chosen to be kept
 };
 
+/// The choices of the last exports. All but the formats belong to a document.
+struct ExportChoices {
+    std::map<ExportKind, QString> formats = {};                         // by name
+    std::map<std::string, std::pair<std::string, double>> values = {};  // of fields, by flag
+    std::optional<PixelRect> part =
+        {};                        // the crop that the canvas was last set to, or that was last declined
+    bool wasTransparent = false;   // the background before a format that has no transparency
+    double seconds = 0, rate = 0;  // duration and rate for which the number of frames was computed
+};
+
 /// The options of an export, as `wend run` has them, with a preview, the size in pixels, and a warning about
 /// what would be cut off.
 class ExportForm : public QWidget {
@@ -32,15 +42,14 @@ class ExportForm : public QWidget {
   public:
     /// Placement of the fields: beside the preview, or below it in a narrow column.
     enum class Fields { Beside, Below };
-    explicit ExportForm(Fields place, QWidget* parent = nullptr);
+    /// Starts with the choices and keeps them current.
+    ExportForm(Fields place, ExportChoices& choices, QWidget* parent = nullptr);
 
-    /// Sets the subject and keeps the choices that still apply.
+    /// Sets the subject and takes the choices that apply to it.
     void setSubject(const ExportSubject& subject);
     /// Clears the subject and shows the reason.
     void setNothing(const QString& why);
     ExportKind kind() const { return m_subject.kind; }
-    /// Forgets all choices but the formats: they belong to a document.
-    void reset();
 
     /// Returns the extension with its dot.
     QString extension() const;
@@ -70,6 +79,8 @@ class ExportForm : public QWidget {
     void lay(Fields place);
     void showFormats();
     void showPart();
+    void takeChoices();
+    void keepChoices();
     bool isPicture() const;
     bool takes(const std::string& flag) const;
     void adapt();
@@ -91,10 +102,8 @@ class ExportForm : public QWidget {
     void tellProblem(const QString& problem);
 
     ExportSubject m_subject;
-    std::map<ExportKind, QString> m_formats;  // chosen last, by name
-    std::optional<PixelRect> m_part;          // that is offered as canvas
-    bool m_wasTransparent = false;     // the chosen background, before a format that has no transparency
-    double m_seconds = 0, m_rate = 0;  // duration and rate for which the count was computed
+    ExportChoices& m_choices;
+    std::optional<PixelRect> m_part;  // the crop that is offered as canvas
     ExportPreview* m_preview;
     QComboBox* m_format;
     QFormLayout* m_form;

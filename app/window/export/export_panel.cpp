@@ -38,8 +38,8 @@ QString ExportDialog::title(ExportKind kind) {
     return tr("Export Mesh");
 }
 
-ExportDialog::ExportDialog(const ExportSubject& subject, QWidget* parent)
-    : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, this)) {
+ExportDialog::ExportDialog(const ExportSubject& subject, ExportChoices& choices, QWidget* parent)
+    : QDialog(parent), m_form(new ExportForm(ExportForm::Fields::Beside, choices, this)) {
     setWindowTitle(title(subject.kind));
     QDialogButtonBox* buttons = dialogButtons(QDialogButtonBox::Cancel, this);
     QPushButton* write = addExportButton(*buttons);
@@ -58,7 +58,7 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
       m_motion(motion),
       m_exporter(exporter),
       m_kinds(new QButtonGroup(this)),
-      m_form(new ExportForm(ExportForm::Fields::Below, this)),
+      m_form(new ExportForm(ExportForm::Fields::Below, exporter.choices(), this)),
       m_write(pushButton(
           this, "", tr("Export…"), tr("Choose a name and write what the preview shows."),
           [this] { m_exporter.writeAs(*m_form); }, tr("Export"))),
@@ -92,7 +92,6 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoon);
     connectEach(this, &ExportPanel::showShape, &m_soon, &QTimer::timeout, m_kinds, &QButtonGroup::idClicked);
-    connect(&m_motion.document(), &Document::opened, m_form, &ExportForm::reset);
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
     connectEach(this, &ExportPanel::ask, &m_exporter.crop(), &Crop::changed, &m_exporter,
                 &Exporter::viewTurned, &m_motion, &ShapeMotion::frameChanged, &m_motion,

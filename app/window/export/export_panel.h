@@ -21,7 +21,7 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 
   public:
-    ExportDialog(const ExportSubject& subject, QWidget* parent);
+    ExportDialog(const ExportSubject& subject, ExportChoices& choices, QWidget* parent);
 
     static QString title(ExportKind kind);
     ExportForm& form() const { return *m_form; }

@@ -124,6 +124,7 @@ QRectF ExportPreview::place() const {
 
 void ExportPreview::setImage(const QImage& image) {
     m_image = image;
+    if (image.hasAlphaChannel()) m_lightness = lightnessOf(image);
     m_current = true;
     update();
 }
@@ -138,7 +139,8 @@ void ExportPreview::paintEvent(QPaintEvent*) {
     if (m_image.isNull()) return;
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QRectF place = this->place();
-    if (m_image.hasAlphaChannel() && !property("bare").toBool()) fillWithChecks(painter, place, theme);
+    if (m_image.hasAlphaChannel() && !property("bare").toBool())
+        fillWithChecks(painter, place, theme.behind(m_lightness));
     painter.drawImage(place, m_image);
 }
 

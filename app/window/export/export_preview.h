@@ -34,6 +34,7 @@ class ExportPreview : public QWidget {
   private:
     QSize m_wanted;
     QImage m_image;
+    double m_lightness = 1;
     bool m_current = false;
 };
 

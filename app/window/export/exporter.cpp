@@ -111,7 +111,10 @@ Exporter::Exporter(const Playback& playback, const ShapeMotion& motion, QWidget&
       m_motion(motion),
       m_document(motion.document()),
       m_window(window) {
-    connect(&m_document, &Document::opened, this, [this] { m_crop.set({}); });
+    connect(&m_document, &Document::opened, this, [this] {
+        m_crop.set({});
+        m_choices = {m_choices.formats};
+    });
 }
 
 /// Waits, because background work reports to this object.
@@ -160,9 +163,11 @@ void Exporter::ask(ExportKind kind) {
     const ExportSubject subject = this->subject(kind);
     if (needsPicture && !subject.shape->picture()) return;
     emit begun();
-    ExportDialog dialog(subject, &m_window);
-    while (dialog.exec() == QDialog::Accepted && !writeAs(dialog.form())) {
-    }
+    const ExportChoices before = m_choices;
+    ExportDialog dialog(subject, m_choices, &m_window);
+    while (dialog.exec() == QDialog::Accepted)
+        if (writeAs(dialog.form())) return;
+    m_choices = before;
 }
 
 bool Exporter::writeAs(const ExportForm& form) {

@@ -39,6 +39,8 @@ class Exporter : public QObject {
 
     /// Returns the crop of the picture, which is reset for another document.
     Crop& crop() { return m_crop; }
+    /// Returns the choices of the last exports, which panel and dialogs share.
+    ExportChoices& choices() { return m_choices; }
     /// Returns why nothing can be written now; empty if it can be.
     QString whyNot() const;
     /// Returns the current subject; requires whyNot() to be empty.
@@ -91,6 +93,7 @@ class Exporter : public QObject {
     QWidget& m_window;
     Looks m_looks;
     Crop m_crop;
+    ExportChoices m_choices;
     std::shared_ptr<std::stop_source> m_stop;  // of the running export
     HandOver m_out;
     BackgroundWork m_running;

@@ -15,6 +15,7 @@
 #include "app/base/connect_each.h"
 #include "app/panels/fields/option_field.h"
 #include "app/panels/fields/panel_parts.h"
+#include "app/panels/fields/reasons.h"
 #include "app/project/file/named_files.h"
 #include "app/project/project.h"
 #include "app/window/export/dialogs.h"
@@ -67,6 +68,7 @@ PictureDialog::PictureDialog(const QSize& proposal, bool hasLegend, QWidget* par
     }
     m_width->setValue(proposal.width());
     m_height->setValue(proposal.height());
+    m_transparent->setObjectName(QStringLiteral("transparent"));
     for (QCheckBox* box : {m_transparent, m_tied}) box->setChecked(true);
     m_legend->setEnabled(hasLegend);
     m_legend->setChecked(hasLegend);
@@ -170,11 +172,20 @@ void PictureDialog::check() {
     m_note->setVisible(!good);
     m_write->setEnabled(good);
     const FilmFormatFacts* film = filmFormat();
-    m_transparent->setEnabled(film ? film->alpha : holdsAlpha("view" + extension().toStdString()));
+    showTransparency(film ? film->alpha : holdsAlpha("view" + extension().toStdString()));
     for (OptionField* field : {m_rate, m_loop}) m_form->setRowVisible(field, film != nullptr);
     m_form->setRowVisible(m_quality, extension() == QStringLiteral(".webp"));
     m_facts->setText(pixels());
     if (good && m_draw) m_timer.start();
+}
+
+/// Clears the box for formats without transparency, and restores it later.
+void PictureDialog::showTransparency(bool isHeld) {
+    if (m_transparent->isEnabled()) m_wantsTransparent = m_transparent->isChecked();
+    const QSignalBlocker quiet(m_transparent);
+    m_transparent->setChecked(isHeld && m_wantsTransparent);
+    allow(m_transparent, isHeld,
+          tr("%1 has no transparency: the background is that of the view.").arg(m_format->currentText()));
 }
 
 QString PictureDialog::extension() const {
@@ -217,6 +228,33 @@ PictureChoice PictureDialog::choice() const {
     if (!m_film->project->audio.empty())
         choice.sound = {pathIn(m_film->folder, m_film->project->audio), choice.span->from};
     return choice;
+}
+
+PictureSettings PictureDialog::settings() const {
+    PictureSettings settings{m_format->currentText(), choice(), m_tied->isChecked()};
+    settings.choice->size = {m_width->value(), m_height->value()};
+    settings.choice->transparent =
+        m_transparent->isEnabled() ? m_transparent->isChecked() : m_wantsTransparent;
+    settings.choice->lossy = m_quality->value() == "lossy";
+    return settings;
+}
+
+void PictureDialog::set(const PictureSettings& settings) {
+    if (settings.choice) {
+        const PictureChoice& choice = *settings.choice;
+        m_tied->setChecked(settings.tied);
+        m_width->setValue(choice.size.width());
+        if (!settings.tied) m_height->setValue(choice.size.height());
+        m_wantsTransparent = choice.transparent;
+        m_transparent->setChecked(m_transparent->isEnabled() && choice.transparent);
+        m_marks->setChecked(choice.marks);
+        if (m_legend->isEnabled()) m_legend->setChecked(choice.legend);
+        m_quality->setValue(choice.lossy ? "lossy" : "lossless");
+        if (m_film) m_rate->setNumber(choice.framesPerSecond);
+        m_loop->setNumber(choice.loop ? 1 : 0);
+    }
+    m_format->setCurrentIndex(std::max(0, m_format->findText(settings.format)));
+    check();
 }
 
 QString PictureDialog::pixels() const {

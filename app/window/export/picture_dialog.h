@@ -34,6 +34,13 @@ struct PictureChoice {
     FilmSound sound = {};
 };
 
+/// What was chosen in the dialog for the last picture or film.
+struct PictureSettings {
+    QString format;                            // its name
+    std::optional<PictureChoice> choice = {};  // without: only the format is known
+    bool tied = true;                          // width and height
+};
+
 /// The motion that a film shows.
 struct FilmSubject {
     std::shared_ptr<const Project> project;
@@ -56,6 +63,9 @@ class PictureDialog : public QDialog {
     PictureDialog(const QSize& proposal, bool hasLegend, QWidget* parent, Draw draw = {},
                   std::optional<FilmSubject> film = {});
     PictureChoice choice() const;
+    PictureSettings settings() const;
+    /// Starts with the settings of an earlier dialog.
+    void set(const PictureSettings& settings);
     /// Returns the extension with its dot.
     QString extension() const;
     /// Returns the filter for a file dialog.
@@ -71,6 +81,7 @@ class PictureDialog : public QDialog {
     void connectControls();
     void tie(QSpinBox* changed);
     void check();
+    void showTransparency(bool isHeld);
     void showPreview();
     QString pixels() const;
     const FilmFormatFacts* filmFormat() const;
@@ -91,6 +102,7 @@ class PictureDialog : public QDialog {
     Draw m_draw;
     QTimer m_timer;
     QCheckBox *m_transparent, *m_marks, *m_legend;
+    bool m_wantsTransparent = true;  // also while the format cannot hold it
 };
 
 }  // namespace wend

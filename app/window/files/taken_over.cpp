@@ -261,18 +261,15 @@ void PictureKeeper::replace(const QString& path) {
 
 void PictureKeeper::askSize() {
     if (m_document.isEmpty()) return;
-    const auto tell = [this](const QString& text) { m_banner.tell(Topic::Picture, text); };
     const std::string folder = m_document.folder().toStdString();
     try {
-        if (drawingIn(m_document.domain(), folder).empty())
-            return tell(tr("This picture is no SVG drawing: its pixels are what it has."));
         const DrawnSize now = drawnSize(m_document.domain(), folder);
         Domain first = m_document.domain();
         first.size = {};
         DrawingSizeDialog dialog(now, drawnSize(first, folder), &m_window);
         if (dialog.exec() == QDialog::Accepted && dialog.size() != now) redraw(dialog.size());
     } catch (const std::exception& error) {
-        tell(tr("The picture cannot be read. %1").arg(wend::said(error)));
+        m_banner.tell(Topic::Picture, tr("The picture cannot be read. %1").arg(wend::said(error)));
     }
 }
 

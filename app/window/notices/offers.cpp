@@ -340,10 +340,11 @@ void RidingOffer::look() {
     const Document& document = m_session.document();
     const ShapeMotion& motion = m_session.motion();
     if (document.isEmpty() || document.dimension() != 2 || motion.isDragging() || motion.isBusy() ||
-        motion.isStale() || document.project() == m_lookedAt || !(m_session.playback().end() > 0))
+        motion.isStale() || document.project() == m_lookedAt)
         return;
     m_lookedAt = document.project();
-    const std::vector<StrayPart> strays = strayParts(m_session);
+    const bool moves = m_session.playback().end() > 0;  // at rest nothing stays behind
+    const std::vector<StrayPart> strays = moves ? strayParts(m_session) : std::vector<StrayPart>();
     if (strays.empty()) m_banner.clear(InfoBanner::Topic::Riding);
     if (!strays.empty() && strays.size() != m_offered) offer(strays);
     m_offered = strays.size();

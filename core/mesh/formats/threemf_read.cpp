@@ -1,6 +1,6 @@
 // 3MF: a ZIP archive with XML. The items of the build are placed as they say, with the parts that they are
 // made of, which may be in other files of the archive. Every item is a group. Numbers are the file's own, in
-// its unit (see toldUnits).
+// its unit (see statedUnits).
 
 #include <pugixml.hpp>
 

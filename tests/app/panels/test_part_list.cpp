@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QUndoStack>
 #include <QtTest>
 #include <set>
@@ -24,6 +25,8 @@
 #include "app/project/file/project_writer.h"
 #include "app/session/brush.h"
 #include "app/session/part_making.h"
+#include "app/style/theme.h"
+#include "app/window/actions/actions.h"
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
 #include "app/window/notices/info_banner.h"
@@ -47,6 +50,9 @@ class TestPartList : public QObject {
     void canvasIsTheExport_data();
     void canvasIsTheExport();
     void partIsBlended();
+    void rowsStayInView();
+    void partsApartAreNotJoined();
+    void signsFollowTheAppearance();
     void picturesOpenTogether();
     void partsHaveTheirOutlines();
     void outlinesOfPartsAreDrawn();
@@ -130,6 +136,61 @@ void TestPartList::layersAreParts() {
     QVERIFY(settle(m_f->session()));
     QCOMPARE(parts().size(), std::size_t{3});
     QVERIFY(panel().isVisible());
+}
+
+/// Writes twelve squares in a row, none of which overlaps another.
+static QString writeTwelve(const QTemporaryDir& folder) {
+    std::vector<LayerToWrite> layers;
+    for (int i = 0; i < 12; ++i)
+        layers.push_back({"layer " + std::to_string(i), plainPicture(30, 30, {200, 90, 40, 255}), 40 * i, 5});
+    const QString path = folder.filePath("twelve.ora");
+    writeOpenRaster(path.toStdString(), layers, plainPicture(480, 40, {9, 9, 9, 255}));
+    return path;
+}
+
+/// Changes leave the list where it was scrolled to, so that the next click meets the same part.
+void TestPartList::rowsStayInView() {
+    QVERIFY(m_f->openFile(writeTwelve(m_folder)));
+    list().setCurrentRow(9);
+    list().verticalScrollBar()->setValue(list().verticalScrollBar()->maximum());
+    const int before = list().verticalScrollBar()->value();
+    QVERIFY(before > 0);
+    const QRect row = list().visualItemRect(list().item(9));
+    auto* opacity = panel().findChild<QDoubleSpinBox*>("partOpacity");
+    opacity->setValue(40);
+    QCOMPARE(parts()[9].opacity, 0.4);
+    QCOMPARE(list().verticalScrollBar()->value(), before);
+    QCOMPARE(list().visualItemRect(list().item(9)), row);
+}
+
+/// Parts that do not overlap cannot be chosen for a joint, by mouse or keys.
+void TestPartList::partsApartAreNotJoined() {
+    list().setCurrentRow(1);
+    auto* joined = panel().findChild<QComboBox*>("partJoined");
+    const auto isOffered = [joined](const char* name) {
+        const int at = joined->findText(QString::fromLatin1(name));
+        return at >= 0 && joined->model()->index(at, 0).flags().testFlag(Qt::ItemIsEnabled);
+    };
+    QTRY_VERIFY(isOffered("board"));
+    QVERIFY(m_f->openFile(writeTwelve(m_folder)));
+    QVERIFY(settle(m_f->session()));
+    list().setCurrentRow(5);
+    QTRY_VERIFY(joined->findText("layer 4") > 0 && !isOffered("layer 4"));
+    QVERIFY(!joined->itemData(joined->findText("layer 4"), Qt::ToolTipRole).toString().isEmpty());
+    QVERIFY(isOffered("Nothing"));
+}
+
+void TestPartList::signsFollowTheAppearance() {
+    const auto lightness = [this](const char* name) {
+        const QIcon icon = panel().findChild<QAbstractButton*>(name)->icon();
+        return lightnessOf(icon.pixmap(16, 16).toImage());
+    };
+    for (const auto& [look, isDark] :
+         {std::pair{m_f->window().actions().darkLook, true}, {m_f->window().actions().lightLook, false}}) {
+        look->trigger();
+        for (const char* name : {"partForward", "partBackward", "partLock"})
+            QVERIFY2((lightness(name) > 0.5) == isDark, name);
+    }
 }
 
 void TestPartList::listChangesParts() {
@@ -741,6 +802,14 @@ void TestPartList::partsWithoutPinsCanBeAttached() {
     for (auto* button : banner->findChildren<QAbstractButton*>())
         if (button->text() == "Let It Ride") ride = button;
     QVERIFY(ride);
+    while (undo().canUndo()) undo().undo();
+    QVERIFY(settle(session));
+    QTRY_VERIFY(!banner->text().contains("ride on"));  // nothing moves any more
+    while (undo().canRedo()) undo().redo();
+    QVERIFY(settle(session));
+    QTRY_VERIFY(banner->text().contains("ride on “board”"));
+    for (auto* button : banner->findChildren<QAbstractButton*>())
+        if (button->text() == "Let It Ride") ride = button;
     ride->click();
     QCOMPARE(parts()[1].ridesOn, std::string("board"));
     QVERIFY(settle(session));

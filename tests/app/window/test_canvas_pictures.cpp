@@ -35,6 +35,8 @@ class TestCanvasPictures : public QObject {
     void fortyMegapixels();
     void partsAndHolesAreBentAndExported();
     void limbOverTheBodyIsWhole();
+    void checksStandOutFromThePicture_data();
+    void checksStandOutFromThePicture();
     void orientedPhotographsAreUpright_data();
     void orientedPhotographsAreUpright();
 
@@ -521,6 +523,38 @@ void TestCanvasPictures::orientedPhotographsAreUpright() {
     const Decoded file(path);
     QCOMPARE(file.width(), orientation < 5 ? kWidth : kHeight);
     everyViewShows([&](const Vec2& p) { return file.at(p, 2 / m_canvas->view().zoom()); }, 4);
+}
+
+void TestCanvasPictures::checksStandOutFromThePicture_data() {
+    QTest::addColumn<Appearance>("appearance");
+    QTest::addColumn<QColor>("ink");
+    QTest::newRow("dark ink, dark window") << Appearance::Dark << QColor(0x11, 0x11, 0x11);
+    QTest::newRow("light ink, dark window") << Appearance::Dark << QColor(0xee, 0xdd, 0xcc);
+    QTest::newRow("dark ink, light window") << Appearance::Light << QColor(0x11, 0x11, 0x11);
+    QTest::newRow("white ink, light window") << Appearance::Light << QColor(Qt::white);
+}
+
+/// A ring of ink is seen on the checks within it and around it.
+void TestCanvasPictures::checksStandOutFromThePicture() {
+    QFETCH(Appearance, appearance);
+    QFETCH(QColor, ink);
+    QImage image(200, 200, QImage::Format_ARGB32);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setPen(QPen(ink, 14));
+    painter.drawEllipse(QPointF(100, 100), 70, 70);
+    painter.end();
+    m_canvas->setPalette(wendPalette(appearance, {}));
+    openCutOut(image);
+    QVERIFY(QTest::qWaitFor([&] { return m_canvas->isSettled(); }, 20000));
+    const QImage seen = m_canvas->grab().toImage();
+    const auto grayAt = [&](const Vec2& p) {
+        return qGray(seen.pixel((m_canvas->toWidget(p) * seen.devicePixelRatio()).toPoint()));
+    };
+    const int ring = grayAt({100, 30});
+    QVERIFY(std::abs(ring - qGray(ink.rgb())) < 6);
+    for (const Vec2& p : {Vec2(100, 100), Vec2(91, 103), Vec2(20, 20), Vec2(185, 30)})
+        QVERIFY2(std::abs(grayAt(p) - ring) > 50, qPrintable(QString::number(grayAt(p))));
 }
 
 QTEST_MAIN(TestCanvasPictures)

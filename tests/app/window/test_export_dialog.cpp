@@ -12,6 +12,7 @@
 #include "app/project/edits/film_edits.h"
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
+#include "app/window/actions/toolbox.h"
 #include "app/window/export/export_panel.h"
 #include "app/window/export/exporter.h"
 #include "app/window/export/picture_dialog.h"
@@ -40,6 +41,8 @@ class TestExportDialog : public QObject {
     void previewIsWhatIsWritten();
     void opaqueFormatsArePreviewedOnTheirGround_data();
     void opaqueFormatsArePreviewedOnTheirGround();
+    void typedWidthIsTakenWhole();
+    void choicesAreRemembered();
     void framesAreNumbered();
     void depthsAreWritten_data();
     void depthsAreWritten();
@@ -76,6 +79,16 @@ OptionValues with(const std::string& flag, const std::string& value) {
 
 bool waitForPreview(ExportDialog& dialog) {
     return QTest::qWaitFor([&] { return dialog.form().preview().isCurrent(); }, 30000);
+}
+
+/// Activates a dialog, whose fields have the focus only then.
+bool activate(ExportDialog& dialog) {
+    return QTest::qWaitFor(
+        [&] {
+            dialog.activateWindow();
+            return dialog.isActiveWindow();
+        },
+        20000);
 }
 
 void choose(ExportDialog& dialog, const char* extension) {
@@ -129,7 +142,8 @@ std::shared_ptr<const FrameExport> TestExportDialog::shape() {
 }
 
 std::unique_ptr<ExportDialog> TestExportDialog::dialog(ExportKind kind) {
-    auto made = std::make_unique<ExportDialog>(ExportSubject{kind, shape()}, m_window.get());
+    auto made = std::make_unique<ExportDialog>(ExportSubject{kind, shape()}, m_window->exporter().choices(),
+                                               m_window.get());
     made->show();
     return made;
 }
@@ -220,6 +234,7 @@ void TestExportDialog::transparencyIsOfferedWhereItIsHeld() {
     bend(-10, 25);
     for (const auto& [kind, without, with] :
          {std::tuple{ExportKind::Film, ".mp4", ".webm"}, std::tuple{ExportKind::Picture, ".jpg", ".png"}}) {
+        m_window->exporter().choices() = {};
         const auto asked = dialog(kind);
         OptionField* background = asked->form().field("--outside");
         auto* list = background->findChild<QComboBox*>();
@@ -338,6 +353,61 @@ void TestExportDialog::cropsAreReportedSideBySide() {
     QVERIFY2(film.contains(QStringLiteral("%1 px at the top").arg(std::ceil(above))), qPrintable(film));
     QVERIFY2(film.contains(QStringLiteral("%1 px at the bottom").arg(std::ceil(below))), qPrintable(film));
     QVERIFY2(!film.contains(QStringLiteral("left")), qPrintable(film));
+}
+
+/// The width of a film is even, but only the complete number is rounded, not what is typed so far.
+void TestExportDialog::typedWidthIsTakenWhole() {
+    open(writeCutOut(*m_folder));
+    bend(0, 10);
+    const auto asked = dialog(ExportKind::Film);
+    auto* width = qobject_cast<QSpinBox*>(asked->form().field("--width")->focusProxy());
+    QVERIFY(width);
+    QVERIFY(activate(*asked));
+    for (const auto& [typed, expected] : {std::pair{"450", 450}, {"333", 334}, {"640", 640}}) {
+        width->setFocus();
+        width->selectAll();
+        QTest::keyClicks(width, QString::fromLatin1(typed));
+        QTest::keyClick(width, Qt::Key_Tab);
+        QCOMPARE(width->value(), expected);
+    }
+}
+
+/// The next dialog, and the panel, begin with the choices of the last export; another document does not.
+void TestExportDialog::choicesAreRemembered() {
+    open(writeCutOut(*m_folder));
+    bend(0, 10);
+    const auto rateOf = [](const ExportDialog& one) { return one.form().field("--fps")->number(); };
+    const auto loops = [](const ExportDialog& one) { return one.form().field("--loop")->number() != 0; };
+    {
+        const auto asked = dialog(ExportKind::Film);
+        choose(*asked, ".webm");
+        auto* loop = qobject_cast<QCheckBox*>(asked->form().field("--loop")->focusProxy());
+        loop->click();
+        QVERIFY(activate(*asked));
+        auto* rate = asked->form().field("--fps")->findChild<QAbstractSpinBox*>();
+        rate->setFocus();
+        rate->selectAll();
+        QTest::keyClicks(rate, QStringLiteral("12"));
+        QTest::keyClick(rate, Qt::Key_Tab);
+        QCOMPARE(rateOf(*asked), 12.);
+    }
+    {
+        const auto asked = dialog(ExportKind::Film);
+        QCOMPARE(asked->form().extension(), QStringLiteral(".webm"));
+        QVERIFY(loops(*asked));
+        QCOMPARE(rateOf(*asked), 12.);
+    }
+    m_window->tools().setMode(Mode::Export);
+    auto* panel = m_window->findChild<ExportPanel*>();
+    QTRY_VERIFY(panel->isVisible());
+    QCOMPARE(panel->form().field("--fps")->number(), 12.);
+    session().document().close();
+    open(writeCutOut(*m_folder));
+    bend(0, 10);
+    const auto asked = dialog(ExportKind::Film);
+    QCOMPARE(asked->form().extension(), QStringLiteral(".webm"));
+    QVERIFY(!loops(*asked));
+    QCOMPARE(rateOf(*asked), 24.);
 }
 
 void TestExportDialog::opaqueFormatsArePreviewedOnTheirGround_data() {

@@ -51,6 +51,7 @@ class TestSolidExport : public QObject {
     void viewIsFilmed();
     void filmIsCancelled();
     void filmIsAtChoiceWhereThereIsMotion();
+    void choicesOfViewsAreRemembered();
     void legendAndMarksAreAtChoice();
     void badPlacesAreReported();
 
@@ -173,7 +174,7 @@ void TestSolidExport::verticesAreThoseOfTheFile() {
     ShapeSession& session = m_window->session();
     const auto shape = std::make_shared<const FrameExport>(session.document(), session.motion().frame(),
                                                            session.motion().track().frames(), 1.0);
-    ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
+    ExportDialog dialog({ExportKind::Mesh, shape}, m_window->exporter().choices(), m_window.get());
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
     const auto* facts = dialog.findChild<QLabel*>(QStringLiteral("facts"));
     for (const char* extension : {".vtu", ".off", ".obj", ".mesh"}) {
@@ -188,10 +189,11 @@ void TestSolidExport::verticesAreThoseOfTheFile() {
 
 /// The dialog has a check box where the format holds triangles beside tetrahedra, and the file follows it.
 void TestSolidExport::borderTrianglesAreAtChoice() {
+    m_window->exporter().choices() = {};
     ShapeSession& session = m_window->session();
     const auto shape = std::make_shared<const FrameExport>(session.document(), session.motion().frame(),
                                                            session.motion().track().frames(), 1.0);
-    ExportDialog dialog({ExportKind::Mesh, shape}, m_window.get());
+    ExportDialog dialog({ExportKind::Mesh, shape}, m_window->exporter().choices(), m_window.get());
     dialog.show();
     auto* format = dialog.findChild<QComboBox*>(QStringLiteral("format"));
     QCOMPARE(format->currentData().toString(), QStringLiteral(".obj"));  // as the bar's surface came
@@ -379,6 +381,36 @@ void TestSolidExport::filmIsAtChoiceWhereThereIsMotion() {
     dialog.findChild<OptionField*>(QStringLiteral("--loop"))->findChild<QCheckBox*>()->setChecked(true);
     QCOMPARE(dialog.choice().frames, 10);  // of the cycle, without its end
     QCOMPARE(dialog.choice().span->from, 0.5);
+}
+
+/// The box is clear while the format cannot hold transparency, and all choices return in the next dialog.
+void TestSolidExport::choicesOfViewsAreRemembered() {
+    const FilmSubject film{m_window->session().document().project(), 2, {}};
+    PictureDialog dialog({320, 200}, false, nullptr, {}, film);
+    const auto boxOf = [](PictureDialog& one) {
+        return one.findChild<QCheckBox*>(QStringLiteral("transparent"));
+    };
+    const auto choose = [](PictureDialog& one, const char* extension) {
+        auto* format = one.findChild<QComboBox*>();
+        format->setCurrentIndex(format->findData(QString::fromLatin1(extension)));
+    };
+    choose(dialog, ".mp4");
+    QVERIFY(!boxOf(dialog)->isEnabled() && !boxOf(dialog)->isChecked());
+    choose(dialog, ".webm");
+    QVERIFY(boxOf(dialog)->isEnabled() && boxOf(dialog)->isChecked());
+    boxOf(dialog)->setChecked(false);
+    dialog.findChildren<QSpinBox*>().front()->setValue(640);
+    dialog.findChild<QDoubleSpinBox*>()->setValue(12);
+    PictureDialog next({320, 200}, false, nullptr, {}, film);
+    next.set(dialog.settings());
+    QCOMPARE(next.extension(), QStringLiteral(".webm"));
+    QCOMPARE(next.choice().size, QSize(640, 400));
+    QCOMPARE(next.choice().framesPerSecond, 12.);
+    QVERIFY(!next.choice().transparent);
+    choose(dialog, ".mp4");
+    next.set(dialog.settings());
+    choose(next, ".webm");
+    QVERIFY(!next.choice().transparent);  // as chosen before the format that cannot hold it
 }
 
 void TestSolidExport::legendAndMarksAreAtChoice() {
