@@ -58,6 +58,8 @@ class DragFlow {
     bool isElastic() const;
     bool step(const Targets& targets);
     bool track(const Targets& targets);
+    bool relax(Points<Dim>& shape, const Targets& targets, int mostIterations);
+    bool settle();
     bool solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field);
     bool moves(const Points<Dim>& field, const Targets& displacement) const;
     void prepare();
@@ -79,6 +81,7 @@ class DragFlow {
     Eigen::Index m_sliders = 0;
     std::vector<int> m_ids, m_guided;  // all points, and those that slide on surfaces and are not held
     SolveOutcome m_failure;
+    bool m_isSettled = false;  // an elastic shape is at its minimum
     double m_constraintError = 0;
     int m_evaluations = 0;
 };
