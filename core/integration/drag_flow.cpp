@@ -337,7 +337,7 @@ void DragFlow<Dim>::publish() {
 /// Describes the cell that would be inverted, or else the first moved point. The cell has no number, because
 /// it may belong to a coarse body that carries the shape.
 template <int Dim>
-std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
+Message DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
     Vec<Dim> place = centroid<Dim>(m_pose, m_rest->cells[std::max(failure.cell, 0)]);
     const auto isLed = [&](const ConstrainedPoint& point) {
         return std::find(handles.begin(), handles.end(), point.handle) != handles.end();
@@ -346,7 +346,7 @@ std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vect
     const auto led = std::find_if(points.begin(), points.end(), isLed);
     if (failure.kind != SolveOutcome::Kind::CellInverted && led != points.end())
         place = led->template in<Dim>(m_pose);
-    return stopMessage(reasonOf(failure), placeName<Dim>(place), -1);
+    return stopMessage(reasonOf(failure), roughPlaceName<Dim>(place, m_units.size), -1);
 }
 
 template class DragFlow<2>;

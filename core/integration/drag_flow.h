@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/base/message.h"
 #include "core/integration/orientation.h"
@@ -66,7 +65,7 @@ class DragFlow {
     void guide(const Points<Dim>& shape);
     void project(Points<Dim>& shape, const Targets& targets);
     void publish();
-    std::string describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
+    Message describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
 
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
