@@ -1058,6 +1058,30 @@
         <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
         <translation>kann nicht geschrieben werden: Eine Photoshop-Datei hat höchstens 30000 Pixel je Seite</translation>
     </message>
+    <message>
+        <source>the shape is too stiff to settle further near %1: the steps would be too short; allow a larger tolerance</source>
+        <translation>die Form ist bei %1 zu steif, um sich weiter zu setzen: Die Schritte würden zu kurz; eine größere Toleranz hilft</translation>
+    </message>
+    <message>
+        <source>%1 cannot go on: %2</source>
+        <translation>%1 kann nicht weiter: %2</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and once more</source>
+        <translation>zur Zeit %1 springt die Form nahe %2 in ein anderes Gleichgewicht, und noch einmal</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2</source>
+        <translation>bei %1 s springt die Form nahe %2 in eine andere Pose</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and once more</source>
+        <translation>bei %1 s springt die Form nahe %2 in eine andere Pose, und noch einmal</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and %3 times more</source>
+        <translation>bei %1 s springt die Form nahe %2 in eine andere Pose, und noch %3 Mal</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -7194,10 +7218,6 @@
 <context>
     <name>wend::ShapeSession</name>
     <message>
-        <source>The motion stops at %1: %2</source>
-        <translation>Die Bewegung endet bei %1: %2</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>%1 setzen</translation>
     </message>
@@ -7407,6 +7427,10 @@
     <message>
         <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
         <translation>Ein Teil wird noch gemacht. Sobald er da ist, lassen sich Pins ziehen.</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1 s: %2</source>
+        <translation>Die Bewegung endet bei %1 s: %2</translation>
     </message>
 </context>
 <context>

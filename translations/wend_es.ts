@@ -1058,6 +1058,30 @@
         <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
         <translation>no se puede escribir: un archivo de Photoshop tiene como máximo 30000 píxeles por lado</translation>
     </message>
+    <message>
+        <source>the shape is too stiff to settle further near %1: the steps would be too short; allow a larger tolerance</source>
+        <translation>la forma es demasiado rígida cerca de %1 para asentarse más: los pasos serían demasiado cortos; permita una tolerancia mayor</translation>
+    </message>
+    <message>
+        <source>%1 cannot go on: %2</source>
+        <translation>%1 no puede seguir: %2</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and once more</source>
+        <translation>en el tiempo %1 la forma salta a otro equilibrio cerca de %2, y una vez más</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2</source>
+        <translation>a los %1 s la forma salta a otra pose cerca de %2</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and once more</source>
+        <translation>a los %1 s la forma salta a otra pose cerca de %2, y una vez más</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and %3 times more</source>
+        <translation>a los %1 s la forma salta a otra pose cerca de %2, y %3 veces más</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -7202,10 +7226,6 @@
         <translation>%1 no puede ir más lejos: %2</translation>
     </message>
     <message>
-        <source>The motion stops at %1: %2</source>
-        <translation>El movimiento se detiene en %1: %2</translation>
-    </message>
-    <message>
         <source>Cancelled: everything is as it was before the last change.</source>
         <translation>Cancelado: todo está como antes del último cambio.</translation>
     </message>
@@ -7407,6 +7427,10 @@
     <message>
         <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
         <translation>Una parte aún se está haciendo. Los alfileres se podrán arrastrar en cuanto esté.</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1 s: %2</source>
+        <translation>El movimiento se detiene a los %1 s: %2</translation>
     </message>
 </context>
 <context>

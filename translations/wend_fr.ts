@@ -1058,6 +1058,30 @@
         <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
         <translation>ne peut pas être écrit&#x202f;: un fichier Photoshop a au plus 30000 pixels de côté</translation>
     </message>
+    <message>
+        <source>the shape is too stiff to settle further near %1: the steps would be too short; allow a larger tolerance</source>
+        <translation>la forme est trop raide près de %1 pour se reposer davantage&#x202f;: les pas seraient trop courts&#x202f;; autorisez une plus grande tolérance</translation>
+    </message>
+    <message>
+        <source>%1 cannot go on: %2</source>
+        <translation>%1 ne peut pas continuer&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and once more</source>
+        <translation>au temps %1 la forme saute vers un autre équilibre près de %2, et une fois encore</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2</source>
+        <translation>à %1 s, la forme saute vers une autre pose près de %2</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and once more</source>
+        <translation>à %1 s, la forme saute vers une autre pose près de %2, et une fois encore</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and %3 times more</source>
+        <translation>à %1 s, la forme saute vers une autre pose près de %2, et %3 fois encore</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -7202,10 +7226,6 @@
         <translation>%1 ne peut pas aller plus loin&#x202f;: %2</translation>
     </message>
     <message>
-        <source>The motion stops at %1: %2</source>
-        <translation>Le mouvement s’arrête à %1&#x202f;: %2</translation>
-    </message>
-    <message>
         <source>Cancelled: everything is as it was before the last change.</source>
         <translation>Annulé&#x202f;: tout est comme avant la dernière modification.</translation>
     </message>
@@ -7407,6 +7427,10 @@
     <message>
         <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
         <translation>Une partie est encore en cours de création. Les épingles pourront être déplacées dès qu’elle sera là.</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1 s: %2</source>
+        <translation>Le mouvement s’arrête à %1 s&#x202f;: %2</translation>
     </message>
 </context>
 <context>

@@ -1058,6 +1058,30 @@
         <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
         <translation>に書き込めません: Photoshop ファイルの一辺は最大 30000 ピクセルです</translation>
     </message>
+    <message>
+        <source>the shape is too stiff to settle further near %1: the steps would be too short; allow a larger tolerance</source>
+        <translation>形は %1 の近くで硬すぎて、それ以上落ち着けません。ステップが短くなりすぎます。許容誤差を大きくしてください</translation>
+    </message>
+    <message>
+        <source>%1 cannot go on: %2</source>
+        <translation>%1 は進めません: %2</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and once more</source>
+        <translation>時刻 %1 に形が %2 付近で別の釣り合いへ飛び移り、さらにもう 1 回飛び移ります</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2</source>
+        <translation>%1 秒で形が %2 付近から別のポーズへ飛び移ります</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and once more</source>
+        <translation>%1 秒で形が %2 付近から別のポーズへ飛び移り、さらにもう 1 回飛び移ります</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and %3 times more</source>
+        <translation>%1 秒で形が %2 付近から別のポーズへ飛び移り、さらに %3 回飛び移ります</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -7186,10 +7210,6 @@
         <translation>%1 はこれ以上動かせません：%2</translation>
     </message>
     <message>
-        <source>The motion stops at %1: %2</source>
-        <translation>モーションは %1 で止まります：%2</translation>
-    </message>
-    <message>
         <source>Cancelled: everything is as it was before the last change.</source>
         <translation>キャンセルしました。すべて最後の変更の前の状態です。</translation>
     </message>
@@ -7390,6 +7410,10 @@
     <message>
         <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
         <translation>パーツを作成中です。できあがるとピンをドラッグできます。</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1 s: %2</source>
+        <translation>モーションは %1 秒で止まります：%2</translation>
     </message>
 </context>
 <context>

@@ -1058,6 +1058,30 @@
         <source>cannot be written: a Photoshop file has at most 30000 pixels a side</source>
         <translation>无法写入：Photoshop 文件每边最多 30000 像素</translation>
     </message>
+    <message>
+        <source>the shape is too stiff to settle further near %1: the steps would be too short; allow a larger tolerance</source>
+        <translation>形状在 %1 附近过于坚硬，无法继续松弛：步长会过短；请放宽容差</translation>
+    </message>
+    <message>
+        <source>%1 cannot go on: %2</source>
+        <translation>%1 无法继续：%2</translation>
+    </message>
+    <message>
+        <source>at time %1 the shape snaps to another equilibrium near %2, and once more</source>
+        <translation>在时间 %1，形状在 %2 附近跳到另一个平衡，之后还有一次</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2</source>
+        <translation>在 %1 秒处，形状在 %2 附近跳到另一个姿势</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and once more</source>
+        <translation>在 %1 秒处，形状在 %2 附近跳到另一个姿势，之后还有一次</translation>
+    </message>
+    <message>
+        <source>at %1 s the shape jumps to another pose near %2, and %3 times more</source>
+        <translation>在 %1 秒处，形状在 %2 附近跳到另一个姿势，之后还有 %3 次</translation>
+    </message>
 </context>
 <context>
     <name>CropTool</name>
@@ -7186,10 +7210,6 @@
         <translation>%1 无法再移动：%2</translation>
     </message>
     <message>
-        <source>The motion stops at %1: %2</source>
-        <translation>运动在 %1 处停止：%2</translation>
-    </message>
-    <message>
         <source>Cancelled: everything is as it was before the last change.</source>
         <translation>已取消：一切恢复到上次更改之前。</translation>
     </message>
@@ -7390,6 +7410,10 @@
     <message>
         <source>A part is still being made. Pins can be dragged as soon as it is there.</source>
         <translation>正在制作部件。完成后即可拖动图钉。</translation>
+    </message>
+    <message>
+        <source>The motion stops at %1 s: %2</source>
+        <translation>运动在 %1 秒处停止：%2</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,7 @@ ShapeGesture::ShapeGesture(Document& document, const Selection& selection, Playb
     connect(&m_motion, &ShapeMotion::liveReady, this, &ShapeGesture::follow);
     connect(&m_motion, &ShapeMotion::dragMustEnd, this, &ShapeGesture::cancel);
     connect(&m_selection, &Selection::changed, this, &ShapeGesture::pinsChanged);
+    connect(&m_document, &Document::projectChanged, this, [this] { emit stopped({}); });
 }
 
 double ShapeGesture::time() const {
@@ -178,9 +179,10 @@ void ShapeGesture::follow(const FramePtr& frame) {
     m_isQuick = frame->milliseconds < kQuick;
     m_drag->follow(*frame);
     m_motion.showLive(frame);
-    if (m_drag && frame->stopped && !wasStopped)  // a slot of frameChanged() may have ended the drag
-        m_document.notify(ShapeSession::tr("%1 cannot go further: %2")
-                              .arg(m_pins.nameOf(m_drag->handles()), said(frame->message)));
+    if (!m_drag || !frame->stopped) return;  // a slot of frameChanged() may have ended the drag
+    m_stop = ShapeSession::tr("%1 cannot go further: %2")
+                 .arg(m_pins.nameOf(m_drag->handles()), said(frame->message));
+    if (!wasStopped) m_document.notify(m_stop);
 }
 
 void ShapeGesture::end(double tolerance) {
@@ -196,11 +198,15 @@ void ShapeGesture::endStraight() {
 }
 
 void ShapeGesture::end(const TimedPath& path) {
-    if (path.points.size() < 2) return cancel();
     const DragGesture drag = *m_drag;
-    letGo();
-    if (!path.seconds.empty()) m_motion.dropPreview();  // the start of the motion is shown next
-    push(drag, path, m_from);
+    if (path.points.size() < 2) {
+        cancel();
+    } else {
+        letGo();
+        if (!path.seconds.empty()) m_motion.dropPreview();  // the start of the motion is shown next
+        push(drag, path, m_from);
+    }
+    if (drag.isStopped()) emit stopped(m_stop);
 }
 
 void ShapeGesture::letGo() {

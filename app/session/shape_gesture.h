@@ -83,6 +83,9 @@ class ShapeGesture : public QObject {
     /// Emitted before the document changes.
     void ended();
     void cancelled();
+    /// Emitted at the end of a drag that could not go further, with the reason; an empty text withdraws it
+    /// once the project changes.
+    void stopped(QString text);
     void pinsChanged();
 
   private:
@@ -107,6 +110,7 @@ class ShapeGesture : public QObject {
     ShapeMotion& m_motion;
     const ShownPins& m_pins;
     std::optional<DragGesture> m_drag;
+    QString m_stop;     // why the shape does not follow it further
     double m_from = 0;  // when it began, by the clock of the motion
     /// The handles of the gesture at its start.
     std::vector<PinView> m_grabbed;

@@ -113,7 +113,9 @@ void ShapeMotion::takeFinished(double time, const QString& problem, const QStrin
     m_complete = m_document.project();
     m_completeAt = m_document.undoStack()->index();
     if (!problem.isEmpty())
-        m_document.notify(ShapeSession::tr("The motion stops at %1: %2").arg(time, 0, 'f', 2).arg(problem));
+        m_document.notify(ShapeSession::tr("The motion stops at %1 s: %2")
+                              .arg(time * Playback::kSecondsPerUnit, 0, 'f', 2)
+                              .arg(problem));
     else if (!remark.isEmpty())
         m_document.notify(remark.left(1).toUpper() + remark.mid(1) + QLatin1Char('.'));
     m_preview.reset();

@@ -252,6 +252,9 @@ void MainWindow::connectFiles() {
         m_banner->tell(Topic::Shape, text,
                        problemRemedies(m_session.document(), m_session.motion().lacksMemory()));
     });
+    connect(&m_session.gestures(), &ShapeGesture::stopped, this, [this](const QString& text) {
+        m_banner->tell(Topic::Stop, text, problemRemedies(m_session.document(), false));
+    });
 }
 
 void MainWindow::connectEdit() {

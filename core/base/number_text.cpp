@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace wend {
 namespace {
@@ -50,6 +51,32 @@ std::string placeName(const Vec<Dim>& p) {
     return text + ')';
 }
 
+std::string fixedText(double value, int decimals) {
+    constexpr int kMostDigits = 340;
+    const double unit = std::pow(10.0, decimals), rounded = std::round(value * unit) / unit;
+    std::array<char, kMostDigits> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(),
+                      std::isfinite(rounded) ? rounded + 0.0 : value, std::chars_format::fixed, decimals);
+    return end.ec == std::errc() ? std::string(digits.data(), end.ptr) : numberText(value);
+}
+
+template <int Dim>
+std::string roughPlaceName(const Vec<Dim>& p, double size) {
+    constexpr int kMostDecimals = 9, kDigits = 3;
+    const int decimals =
+        size > 0 && std::isfinite(size) ? kDigits - static_cast<int>(std::lround(std::log10(size))) : kDigits;
+    if (decimals > kMostDecimals) return placeName<Dim>(p);
+    std::string text;
+    for (const double x : p) {
+        text += text.empty() ? "(" : ", ";
+        text += fixedText(x, std::max(decimals, 0));
+    }
+    return text + ')';
+}
+
+template std::string roughPlaceName<2>(const Vec2&, double);
+template std::string roughPlaceName<3>(const Vec3&, double);
 template std::string placeName<2>(const Vec2&);
 template std::string placeName<3>(const Vec3&);
 

@@ -24,6 +24,13 @@ std::string timeText(double time);
 /// points of a shape far from the origin, and 0.1 + 0.2 is 0.3.
 template <int Dim>
 std::string placeName(const Vec<Dim>& p);
+/// Returns the same with about three significant digits of the size of the shape, for a window: pixels of a
+/// picture have one decimal at most.
+template <int Dim>
+std::string roughPlaceName(const Vec<Dim>& p, double size);
+
+/// Returns a number with a fixed number of decimals; −0 is written as 0.
+std::string fixedText(double value, int decimals);
 
 /// Parses the whole text as a number (a leading +, nan and inf are accepted); nothing if it is none.
 /// Underflow gives zero; overflow gives nothing. Blanks around it, a comma and hexadecimal digits are not

@@ -26,9 +26,10 @@ enum class Outcome { Done, Cancelled, CellInverted, SolverFailed, StepTooSmall }
 /// The result of advance(). The state of the deformer is that at `time`.
 struct AdvanceResult {
     Outcome outcome = Outcome::Done;
-    double time = 0;  // the last good time
-    int cell = -1;    // CellInverted: the cell that would fold over
-    Message message;  // one line with what happened, when and where; empty when done
+    double time = 0;     // the last good time
+    int cell = -1;       // CellInverted: the cell that would fold over
+    Message message;     // one line with what happened, when and where; empty when done
+    Message brief = {};  // the same without the time and the cell, and with a rough place
 };
 
 /// Records that an elastic shape jumped to another minimum, because the one before had ceased to exist.

@@ -25,7 +25,7 @@ constexpr double kLongestPause = 0.075;
 constexpr double kNear = 0.05;
 // Relative error of the handles above which a guess is not used for the midpoint.
 constexpr double kGoodGuess = 0.1;
-constexpr int kMostAttempts = 8;
+constexpr int kFewAttempts = 8;  // after more of them, a part that succeeds is followed by a longer one
 // Largest exponent of the memory's decay in one step, and the largest number of parts of a displacement.
 constexpr double kMostDrawn = 0.5, kMostParts = 4;
 constexpr double kSmallestPart = 1.0 / 64;
@@ -33,6 +33,10 @@ constexpr double kSmallestPart = 1.0 / 64;
 // iterations that a frame has time for. The next frame continues with what is left.
 constexpr double kElasticTolerance = 1e-4;
 constexpr int kMostIterations = 6;
+// How often a shape is brought to rest before a handle stops, by at most so many iterations, and the part of
+// the displacement that is tried next.
+constexpr int kMostSettlings = 3, kMostSettlingIterations = 30;
+constexpr double kSettledPart = 1.0 / 8;
 
 /// Returns the handles, normalized and without their motions.
 template <int Dim>
@@ -129,10 +133,13 @@ void DragFlow<Dim>::begin(const Points<Dim>& pose) {
     for (std::size_t i = 0; i < points.size(); ++i)
         m_targets.col(static_cast<Eigen::Index>(i)) = points[i].template in<Dim>(m_shape);
     m_constraintError = 0;
+    m_isSettled = false;
 }
 
 /// Divides the motion into steps of a few percent of the size. A step that fails, because cells would be
-/// inverted, is tried again with half its length.
+/// inverted, is tried again with half its length. The step of an elastic shape that is not at rest contains
+/// its way there, which does not become shorter with the displacement: before such a handle stops, the shape
+/// is settled.
 template <int Dim>
 typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles, const Motion<Dim>& motion,
                                                 const std::vector<Alongside>& alongside) {
@@ -146,14 +153,20 @@ typename DragFlow<Dim>::Led DragFlow<Dim>::lead(const std::vector<int>& handles,
         return moved(along, handles, path.at(part, Side::Before).position);
     };
     SolveOutcome failure;
+    int settlings = 0;
     double done = 0, part = firstPart(targetsAt(1) - start);
     for (int attempts = 0; done < 1; ++attempts) {
-        if (part < kSmallestPart || attempts == kMostAttempts) break;
+        if (part < kSmallestPart) {
+            if (settlings++ == kMostSettlings || !settle()) break;
+            part = kSettledPart;
+        }
         const double to = std::min(1.0, done + part);
-        if (step(targetsAt(to)))
-            done = to;
-        else
+        if (!step(targetsAt(to))) {
             failure = m_failure, part /= 2;
+            continue;
+        }
+        done = to;
+        if (attempts >= kFewAttempts) part *= 2;
     }
     publish();
     return done < 1 ? Led{done, describe(failure, handles)} : Led{};
@@ -242,19 +255,38 @@ bool DragFlow<Dim>::track(const Targets& targets) {
     const int inverted = m_orientation.firstInverted(next);
     m_failure = {inverted < 0 ? SolveOutcome::Kind::Done : SolveOutcome::Kind::CellInverted, inverted};
     if (inverted >= 0) return false;
-    Descent<Dim> descent;
-    descent.tolerance = kElasticTolerance;
-    descent.mostIterations = kMostIterations;
-    descent.reusesFactor = true;
-    if (m_constraints.hasGuides())
-        descent.keep = [&](Points<Dim>& shape) {
-            project(shape, targets);
-            guide(shape);
-        };
-    m_failure = m_solver.descend(next, descent).outcome;
-    if (!m_failure.done()) return false;
+    if (!relax(next, targets, kMostIterations)) return false;
     m_shape = next;
     m_targets = targets;
+    return true;
+}
+
+/// Moves an elastic shape towards the minimum for these targets. Returns false with m_failure if that fails.
+template <int Dim>
+bool DragFlow<Dim>::relax(Points<Dim>& shape, const Targets& targets, int mostIterations) {
+    Descent<Dim> descent;
+    descent.tolerance = kElasticTolerance;
+    descent.mostIterations = mostIterations;
+    descent.reusesFactor = true;
+    if (m_constraints.hasGuides())
+        descent.keep = [&](Points<Dim>& next) {
+            project(next, targets);
+            guide(next);
+        };
+    const Descended result = m_solver.descend(shape, descent);
+    m_failure = result.outcome;
+    if (m_failure.done()) m_isSettled = result.isConverged;
+    return m_failure.done();
+}
+
+/// Brings an elastic shape to rest where its handles are. Returns false if it is at rest.
+template <int Dim>
+bool DragFlow<Dim>::settle() {
+    if (!isElastic() || m_isSettled) return false;
+    Points<Dim> next = m_shape;
+    guide(next);
+    if (!relax(next, m_targets, kMostSettlingIterations)) return false;
+    m_shape = next;
     return true;
 }
 
@@ -305,7 +337,7 @@ void DragFlow<Dim>::publish() {
 /// Describes the cell that would be inverted, or else the first moved point. The cell has no number, because
 /// it may belong to a coarse body that carries the shape.
 template <int Dim>
-std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
+Message DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vector<int>& handles) const {
     Vec<Dim> place = centroid<Dim>(m_pose, m_rest->cells[std::max(failure.cell, 0)]);
     const auto isLed = [&](const ConstrainedPoint& point) {
         return std::find(handles.begin(), handles.end(), point.handle) != handles.end();
@@ -314,7 +346,7 @@ std::string DragFlow<Dim>::describe(const SolveOutcome& failure, const std::vect
     const auto led = std::find_if(points.begin(), points.end(), isLed);
     if (failure.kind != SolveOutcome::Kind::CellInverted && led != points.end())
         place = led->template in<Dim>(m_pose);
-    return stopMessage(reasonOf(failure), placeName<Dim>(place), -1);
+    return stopMessage(reasonOf(failure), roughPlaceName<Dim>(place, m_units.size), -1);
 }
 
 template class DragFlow<2>;

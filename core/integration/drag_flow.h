@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/base/message.h"
 #include "core/integration/orientation.h"
@@ -58,13 +57,15 @@ class DragFlow {
     bool isElastic() const;
     bool step(const Targets& targets);
     bool track(const Targets& targets);
+    bool relax(Points<Dim>& shape, const Targets& targets, int mostIterations);
+    bool settle();
     bool solve(const Points<Dim>& shape, const Targets& displacement, Points<Dim>& field);
     bool moves(const Points<Dim>& field, const Targets& displacement) const;
     void prepare();
     void guide(const Points<Dim>& shape);
     void project(Points<Dim>& shape, const Targets& targets);
     void publish();
-    std::string describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
+    Message describe(const SolveOutcome& failure, const std::vector<int>& handles) const;
 
     Normalization<Dim> m_units;
     std::shared_ptr<const SimplicialMesh<Dim>> m_domainRest, m_rest;
@@ -79,6 +80,7 @@ class DragFlow {
     Eigen::Index m_sliders = 0;
     std::vector<int> m_ids, m_guided;  // all points, and those that slide on surfaces and are not held
     SolveOutcome m_failure;
+    bool m_isSettled = false;  // an elastic shape is at its minimum
     double m_constraintError = 0;
     int m_evaluations = 0;
 };

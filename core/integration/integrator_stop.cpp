@@ -74,18 +74,25 @@ AdvanceResult Deformer<Dim>::Integrator::stopped() const {
                      : reason == StopReason::StepTooSmall ? Outcome::StepTooSmall
                                                           : Outcome::SolverFailed;
     if (reason == StopReason::CellInverted) result.cell = cell;
+    const std::string where = placeName<Dim>(place), roughly = roughPlaceName<Dim>(place, m_units.size);
     const bool settles = m_settling.rate(state.time, Side::After) > 0;
-    if (reason == StopReason::StepTooSmall && settles)
+    if (reason == StopReason::StepTooSmall && settles) {
         result.message = {
             sentence("Core",
                      "at time %1 the shape is too stiff to settle further near %2: the steps would "
                      "be too short; allow a larger tolerance"),
-            time, placeName<Dim>(place)};
-    else
-        result.message = {sentence("Core", "at time %1 %2 cannot go on: %3"), time,
-                          point < 0 ? Message(sentence("Core", "the shape"))
-                                    : m_constraints->handleName(m_constraints->points()[point].handle),
-                          stopMessage(reason, placeName<Dim>(place), cell)};
+            time, where};
+        result.brief = {sentence("Core",
+                                 "the shape is too stiff to settle further near %1: the steps would be too "
+                                 "short; allow a larger tolerance"),
+                        roughly};
+    } else {
+        const Message subject = point < 0 ? Message(sentence("Core", "the shape"))
+                                          : m_constraints->handleName(m_constraints->points()[point].handle);
+        result.message = {sentence("Core", "at time %1 %2 cannot go on: %3"), time, subject,
+                          stopMessage(reason, where, cell)};
+        result.brief = {sentence("Core", "%1 cannot go on: %2"), subject, stopMessage(reason, roughly, -1)};
+    }
     return result;
 }
 

@@ -63,8 +63,27 @@ Message snapMessage(const std::vector<Snap>& snaps, int dimension) {
                       where = dimension == 2 ? placeName<2>(place.head<2>()) : placeName<3>(place);
     if (snaps.size() == 1)
         return {sentence("Core", "at time %1 the shape snaps to another equilibrium near %2"), time, where};
+    if (snaps.size() == 2)
+        return {sentence("Core", "at time %1 the shape snaps to another equilibrium near %2, and once more"),
+                time, where};
     return {sentence("Core", "at time %1 the shape snaps to another equilibrium near %2, and %3 times more"),
             time, where, snaps.size() - 1};
+}
+
+Message snapRemark(const std::vector<Snap>& snaps, int dimension, double size, double secondsPerUnit) {
+    if (snaps.empty()) return {};
+    const Snap& first = snaps.front();
+    const Vec3 place(first.place[0], first.place[1], first.place[2]);
+    const std::string time = fixedText(first.time * secondsPerUnit, 2),
+                      where = dimension == 2 ? roughPlaceName<2>(place.head<2>(), size)
+                                             : roughPlaceName<3>(place, size);
+    if (snaps.size() == 1)
+        return {sentence("Core", "at %1 s the shape jumps to another pose near %2"), time, where};
+    if (snaps.size() == 2)
+        return {sentence("Core", "at %1 s the shape jumps to another pose near %2, and once more"), time,
+                where};
+    return {sentence("Core", "at %1 s the shape jumps to another pose near %2, and %3 times more"), time,
+            where, snaps.size() - 1};
 }
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 // The preview of a drag against the exact integration of the same path.
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 #include "core/assembly/cpu_back_end.h"
 #include "core/base/error.h"
@@ -34,6 +35,29 @@ std::vector<Motion<Dim>> wavyWay() {
     for (int i = 0; i < 60; ++i) way.push_back(shift<Dim>(at(i + 1)[0] - at(i)[0], at(i + 1)[1] - at(i)[1]));
     return way;
 }
+
+/// A fully elastic strip of length 4 and height 1, held at two points near its left end; handle 1 is a point
+/// near the right end.
+struct ElasticStrip {
+    std::shared_ptr<const SimplicialMesh<2>> mesh;
+    DragFlow<2> flow;
+
+    explicit ElasticStrip(int across)
+        : mesh(std::make_shared<const SimplicialMesh<2>>(samples::strip<2>(4 * across, across, 4))),
+          flow(mesh, elastic(mesh->cellCount()), handles(), makeCpuBackEnd<2>) {}
+
+    static std::shared_ptr<const Material<2>> elastic(int cells) {
+        auto material = Material<2>::uniform(cells, phi::kMetr);
+        material.memory = std::numeric_limits<double>::infinity();
+        return std::make_shared<const Material<2>>(material);
+    }
+    static std::vector<Handle<2>> handles() {
+        Handle<2> left, right;
+        left.name = "left", left.at = std::vector<Vec2>{{0.2, 0.5}, {0.2, 0.8}};
+        right.name = "right", right.at = std::vector<Vec2>{{3.7, 0.5}};
+        return {left, right};
+    }
+};
 
 }  // namespace
 
@@ -198,6 +222,30 @@ class TestDragFlow : public QObject {
     }
 
   private slots:
+    /// Where long steps would invert cells, a long displacement takes many short ones, and arrives.
+    void longDisplacementsOfElasticShapesArrive() {
+        for (const double by : {-0.45, -0.315}) {
+            ElasticStrip strip(20);
+            for (int i = 0; i < 6; ++i) {
+                const auto led = strip.flow.lead({1}, shift<2>(2 * by, i % 2 == 0 ? 0.45 : 0.225));
+                QVERIFY2(led.done == 1,
+                         qPrintable(QString("%1: %2 of jump %3").arg(by).arg(led.done).arg(i)));
+            }
+            QCOMPARE(distortion<2>(*strip.mesh, strip.flow.pose()).flips, 0);
+        }
+    }
+    /// The first step of a bent pose that nothing holds so contains its whole way back to rest.
+    void elasticShapesSettleBeforeTheyStop() {
+        ElasticStrip strip(10);
+        Points<2> pose = strip.mesh->points;
+        for (int v = 0; v < strip.mesh->vertexCount(); ++v) {
+            pose(0, v) *= 0.6;
+            pose(1, v) += 0.5 * std::sin(0.785 * strip.mesh->points(0, v));
+        }
+        strip.flow.begin(pose);
+        QCOMPARE(strip.flow.lead({1}, shift<2>(0.01, 0)).done, 1.0);
+        QCOMPARE(distortion<2>(*strip.mesh, strip.flow.pose()).flips, 0);
+    }
     void lonePinsCarryTheShape2() { lonePinsCarryTheShape<2>(); }
     void lonePinsCarryTheShape3() { lonePinsCarryTheShape<3>(); }
     /// A pause of a second would be visible: the factor of a large solid is reused as long as it works at

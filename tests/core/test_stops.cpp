@@ -7,6 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/energy/distortion.h"
+#include "core/integration/stop_message.h"
 #include "core/mesh/quality.h"
 #include "core/motion/constraints.h"
 #include "tests/core/test_strip.h"
@@ -105,6 +106,12 @@ class TestStops : public QObject {
                  qPrintable(message));
         QVERIFY2(message.contains(what) && message.contains("; "), qPrintable(message));
         QVERIFY2(!message.contains('\n'), qPrintable(message));
+        const QString brief = QString::fromStdString(result.brief);
+        QVERIFY2(brief.startsWith("handle \"ram\" cannot go on: ") && brief.contains(what),
+                 qPrintable(brief));
+        QVERIFY2(!brief.contains("cell"), qPrintable(brief));
+        QVERIFY2((placeIn<Dim>(brief) - placeIn<Dim>(message)).cwiseAbs().maxCoeff() <= 5.1e-3,
+                 qPrintable(brief));
         QCOMPARE(result.cell >= 0, outcome == Outcome::CellInverted);
         const Points<Dim>& pose = deformer.state().points;
         const Vec<Dim> place = placeIn<Dim>(message), slack = Vec<Dim>::Constant(1e-4);
@@ -258,6 +265,32 @@ class TestStops : public QObject {
     }
 
   private slots:
+    void placesAreRoughInAWindow() {
+        QCOMPARE(roughPlaceName<2>({667.059565, 564.990692}, 300), "(667.1, 565.0)");
+        QCOMPARE(roughPlaceName<2>({667.059565, -0.004}, 985), "(667, 0)");
+        QCOMPARE(roughPlaceName<2>({1e300, 4e5}, 1e300), "(" + fixedText(1e300, 0) + ", 400000)");
+        QCOMPARE(roughPlaceName<3>({0.123456, -1.98765, -1e-9}, 2), "(0.123, -1.988, 0.000)");
+        QCOMPARE(roughPlaceName<3>({1.23456e-10, 0, 1}, 1e-10), "(1.23456e-10, 0, 1)");
+        QCOMPARE(roughPlaceName<2>({0.5, 2}, 0), "(0.500, 2.000)");
+        QCOMPARE(fixedText(0.8728614, 2), "0.87");
+        QCOMPARE(fixedText(-0.001, 2), "0.00");
+        QCOMPARE(fixedText(NAN, 2), "nan");
+    }
+    void snapsAreCounted() {
+        std::vector<Snap> snaps;
+        QVERIFY(snapMessage(snaps, 2).isEmpty() && snapRemark(snaps, 2, 300, 1).isEmpty());
+        const auto told = [&] {
+            snaps.push_back({0.8728614, {411.49658, 68.4414358, 0}});
+            return std::pair(snapMessage(snaps, 2).text(), snapRemark(snaps, 2, 300, 2).text());
+        };
+        const std::string exactly =
+                              "at time 0.8728614 the shape snaps to another equilibrium near (411.49658, "
+                              "68.4414358)",
+                          roughly = "at 1.75 s the shape jumps to another pose near (411.5, 68.4)";
+        for (const char* more : {"", ", and once more", ", and 2 times more"})
+            QCOMPARE(told(), std::pair(exactly + more, roughly + more));
+        QVERIFY(snapRemark(snaps, 3, 300, 1).text().find("(411.5, 68.4, 0.0)") != std::string::npos);
+    }
     void settlingSaysThatItIsTooStiff2() { settlingSaysThatItIsTooStiff<2>(); }
     void settlingSaysThatItIsTooStiff3() { settlingSaysThatItIsTooStiff<3>(); }
     void flatToRoundingIsInverted2() { flatToRoundingIsInverted<2>(); }

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "app/engine/motion/playback.h"
 #include "app/engine/shape/held_border.h"
 #include "app/project/design.h"
 #include "app/project/edits/handle_comparison.h"
 #include "app/project/edits/handle_edits.h"
 #include "app/project/options/settings.h"
+#include "core/integration/stop_message.h"
 #include "core/mesh/shape_size.h"
 #include "kernels/back_end_choice.h"
 
@@ -287,6 +289,12 @@ void MotionPass<Dim>::run(const Sink& sink, std::stop_token stop) {
     }
     m_known.reset();
     m_result = AdvanceResult{};
+}
+
+template <int Dim>
+Message MotionPass<Dim>::snaps() const {
+    const double size = shapeSize<Dim>(m_shape.rest->points, m_shape.rest->cells).size;
+    return snapRemark(m_deformer->statistics().snaps, Dim, size, Playback::kSecondsPerUnit);
 }
 
 template <int Dim>

@@ -11,7 +11,6 @@
 #include "app/project/edits/handle_comparison.h"
 #include "core/base/message.h"
 #include "core/integration/deformer.h"
-#include "core/integration/stop_message.h"
 
 namespace wend {
 
@@ -86,7 +85,7 @@ class MotionPass {
     /// Returns how the motion ended; valid once it is finished.
     const AdvanceResult& result() const { return *m_result; }
     /// Says whether an elastic shape has snapped; empty if it has not.
-    Message snaps() const { return snapMessage(m_deformer->statistics().snaps, Dim); }
+    Message snaps() const;
     const State<Dim>& state() const { return *m_cache.last(); }
     double end() const { return m_end; }
 

@@ -267,7 +267,7 @@ void ShapeEngineOf<Dim>::giveUp() {
 
 template <int Dim>
 void ShapeEngineOf<Dim>::tellFinished() {
-    m_sink.finished(m_pass.state().time, m_pass.result().message, m_pass.snaps());
+    m_sink.finished(m_pass.state().time, m_pass.result().brief, m_pass.snaps());
 }
 
 template <int Dim>

@@ -26,6 +26,7 @@ class InfoBanner : public QWidget {
         Picture,
         Export,
         Shape,
+        Stop,
         Remark,
         Lost,
         Mesh,

@@ -15,6 +15,7 @@
 #include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
 #include "app/window/main_window.h"
+#include "app/window/notices/info_banner.h"
 #include "tests/support/projects.h"
 #include "tests/support/window_fixture.h"
 
@@ -243,7 +244,17 @@ void TestMenus::refusedDragsStayWithTheShape() {
     const Vec2 pin = inPlane(session.gestures().pins()[1].centre);
     const double gap = (shown->pose.colwise() - pin).colwise().norm().minCoeff();
     QVERIFY2(gap < 1e-6, qPrintable(QString::number(gap)));
-    session.gestures().cancel();
+
+    // The banner says so from the end of the drag to the next change.
+    const auto* banner = m_window->findChild<InfoBanner*>();
+    const QString before = banner->text();
+    QVERIFY(!before.contains(QStringLiteral("cannot go further")));
+    session.gestures().end(0.1);
+    QVERIFY(settle(session));
+    QVERIFY2(banner->text().startsWith(QStringLiteral("Pin 2 cannot go further: ")),
+             qPrintable(banner->text()));
+    m_window->actions().undo->trigger();
+    QCOMPARE(banner->text(), before);
 }
 
 QTEST_MAIN(TestMenus)
