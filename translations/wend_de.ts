@@ -5915,6 +5915,22 @@
 <context>
     <name>wend::PartList</name>
     <message>
+        <source>Joint x</source>
+        <translation>Gelenk x</translation>
+    </message>
+    <message>
+        <source>Joint y</source>
+        <translation>Gelenk y</translation>
+    </message>
+    <message>
+        <source>Move joint</source>
+        <translation>Gelenk verschieben</translation>
+    </message>
+    <message>
+        <source>Where the part turns at rest, in pixels from the upper left corner: a point in both parts, marked by a ring on the picture.</source>
+        <translation>Wo sich der Teil in der Ruhelage dreht, in Pixeln von der linken oberen Ecke: ein Punkt in beiden Teilen, im Bild mit einem Ring markiert.</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>verborgen</translation>
     </message>

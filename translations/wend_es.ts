@@ -5915,6 +5915,22 @@
 <context>
     <name>wend::PartList</name>
     <message>
+        <source>Joint x</source>
+        <translation>Articulación x</translation>
+    </message>
+    <message>
+        <source>Joint y</source>
+        <translation>Articulación y</translation>
+    </message>
+    <message>
+        <source>Move joint</source>
+        <translation>Mover la articulación</translation>
+    </message>
+    <message>
+        <source>Where the part turns at rest, in pixels from the upper left corner: a point in both parts, marked by a ring on the picture.</source>
+        <translation>Dónde gira la parte en reposo, en píxeles desde la esquina superior izquierda: un punto de ambas partes, marcado con un anillo en la imagen.</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>oculta</translation>
     </message>

@@ -5915,6 +5915,22 @@
 <context>
     <name>wend::PartList</name>
     <message>
+        <source>Joint x</source>
+        <translation>Articulation x</translation>
+    </message>
+    <message>
+        <source>Joint y</source>
+        <translation>Articulation y</translation>
+    </message>
+    <message>
+        <source>Move joint</source>
+        <translation>Déplacer l’articulation</translation>
+    </message>
+    <message>
+        <source>Where the part turns at rest, in pixels from the upper left corner: a point in both parts, marked by a ring on the picture.</source>
+        <translation>Où la partie tourne au repos, en pixels depuis le coin supérieur gauche : un point des deux parties, marqué d’un anneau sur l’image.</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>masquée</translation>
     </message>

@@ -5903,6 +5903,22 @@
 <context>
     <name>wend::PartList</name>
     <message>
+        <source>Joint x</source>
+        <translation>関節 x</translation>
+    </message>
+    <message>
+        <source>Joint y</source>
+        <translation>関節 y</translation>
+    </message>
+    <message>
+        <source>Move joint</source>
+        <translation>関節を移動</translation>
+    </message>
+    <message>
+        <source>Where the part turns at rest, in pixels from the upper left corner: a point in both parts, marked by a ring on the picture.</source>
+        <translation>静止時にパーツが回転する位置（左上からのピクセル）。両方のパーツに含まれる点で、画像上に輪で示されます。</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>非表示</translation>
     </message>

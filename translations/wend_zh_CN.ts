@@ -5903,6 +5903,22 @@
 <context>
     <name>wend::PartList</name>
     <message>
+        <source>Joint x</source>
+        <translation>关节 x</translation>
+    </message>
+    <message>
+        <source>Joint y</source>
+        <translation>关节 y</translation>
+    </message>
+    <message>
+        <source>Move joint</source>
+        <translation>移动关节</translation>
+    </message>
+    <message>
+        <source>Where the part turns at rest, in pixels from the upper left corner: a point in both parts, marked by a ring on the picture.</source>
+        <translation>静止时部件旋转的位置，以左上角为原点的像素：同时在两个部件内的一点，在图片上用圆环标出。</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>已隐藏</translation>
     </message>

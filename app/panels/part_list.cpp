@@ -28,6 +28,7 @@ namespace {
 
 constexpr double kFullOpacity = 100;
 constexpr double kWidestEdge = 200;  // pixels
+constexpr double kFarthest = 99999;  // pixels
 
 constexpr std::array kModes{BlendMode::Normal, BlendMode::Multiply, BlendMode::Screen, BlendMode::Add};
 
@@ -137,6 +138,11 @@ PartList::PartList(Document& document, ShapeMotion& motion, Playback& playback, 
     rows->addWidget(m_featherRow = panelRowIn(tr("Soft ed&ge"), m_feather, this));
     rows->addWidget(panelRowIn(tr("&Blend mode"), m_blend, this));
     rows->addWidget(panelRowIn(tr("&Joined to"), m_joined, this));
+    m_jointRows = new QWidget(this);
+    auto* joint = bareColumn(m_jointRows, 8);
+    joint->addWidget(panelRowIn(tr("Joint x"), m_joint[0], this));
+    joint->addWidget(panelRowIn(tr("Joint y"), m_joint[1], this));
+    rows->addWidget(m_jointRows);
     rows->addWidget(panelRowIn(tr("&Rides on"), m_rides, this));
     rows->addWidget(m_order);
     layout->addWidget(m_rows);
@@ -232,6 +238,12 @@ void PartList::makeFields() {
         tr("Welds the part to another one in the middle of where they overlap at rest: it turns there, and "
            "pulls nothing else."),
         {}, &PartList::join);
+    for (int axis = 0; axis < 2; ++axis)
+        m_joint[axis] = numberBox(
+            this, axis == 0 ? "partJointX" : "partJointY", axis == 0 ? tr("Joint x") : tr("Joint y"),
+            tr("Where the part turns at rest, in pixels from the upper left corner: a point in both parts, "
+               "marked by a ring on the picture."),
+            {-kFarthest, kFarthest, 1, 1, tr(" px")}, [this, axis](double value) { moveJoint(axis, value); });
     m_rides = choiceBox(this, "partRides", tr("Rides on"),
                         tr("The part follows the motion of another one, as eyes do on a face."), {},
                         &PartList::ride);
@@ -332,6 +344,9 @@ void PartList::showChosen() {
     m_opacity->put(kFullOpacity * own.opacity);
     m_feather->put(own.feather);
     m_featherRow->setVisible(!own.cutFrom.empty());
+    m_jointRows->setVisible(!own.joints.empty());
+    for (int axis = 0; axis < 2 && !own.joints.empty(); ++axis)
+        m_joint[axis]->put(own.joints.front().at[axis]);
     m_order->showPart(part);
     showBlend();
     fillChoices();
@@ -450,6 +465,15 @@ void PartList::join(int place) {
         own.joints.push_back({to.toStdString(), *joint});
     }
     change(own.joints.empty() ? tr("Remove joint") : tr("Join parts"), std::move(next));
+}
+
+void PartList::moveJoint(int axis, double value) {
+    changeChosen(
+        tr("Move joint"),
+        [axis, value](PicturePart& own) {
+            if (!own.joints.empty()) own.joints.front().at[axis] = value;
+        },
+        QStringLiteral("part joint "));
 }
 
 void PartList::ride(int place) {

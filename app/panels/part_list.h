@@ -2,6 +2,7 @@
 
 #include <QIcon>
 #include <QWidget>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,7 @@ class PartList : public QWidget {
     void changeChosen(const QString& step, const Change& change, const QString& key = {});
     void blend(int mode);
     void join(int place);
+    void moveJoint(int axis, double value);
     void ride(int place);
 
     Document& m_document;
@@ -72,9 +74,10 @@ class PartList : public QWidget {
     QListWidget* m_list;
     QToolButton *m_forward = nullptr, *m_backward = nullptr, *m_lock = nullptr;
     ExactBox *m_opacity = nullptr, *m_feather = nullptr;
+    std::array<ExactBox*, 2> m_joint{};  // x and y of the joint
     QComboBox *m_blend = nullptr, *m_joined = nullptr, *m_rides = nullptr;
     PartOrderRow* m_order = nullptr;
-    QWidget *m_rows = nullptr, *m_featherRow = nullptr;
+    QWidget *m_rows = nullptr, *m_featherRow = nullptr, *m_jointRows = nullptr;
     std::shared_ptr<const Texture> m_texture;  // that the pictures are of
     /// Those of the pictures that are shown: making one takes milliseconds.
     struct Icon {

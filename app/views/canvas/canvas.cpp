@@ -254,6 +254,7 @@ void ShapeCanvas::paintOver(QPainter& painter) {
     m_detailRegions.paint(painter, *this);
     m_depthRegions.paint(painter, *this);
     m_onion.paintOutlines(painter, *this);
+    if (!looks.rest && !m_session.playback().isPlaying()) over.joints(*frame);
     m_viewport.paintPins(over);
     if (Tool* tool = m_viewport.tool(); tool && !m_session.playback().isPlaying()) tool->paint(painter);
     m_viewport.paintLegend(painter, size());

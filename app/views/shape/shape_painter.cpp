@@ -244,6 +244,28 @@ void ShapePainter::dots(const Points3& points) {
     m_marks.spots(places, kInk, 1.4, QPen(QColor(255, 255, 255, 190), 0.6));
 }
 
+/// Draws dark rings with light ones around them, which are visible on any colour. A disc gets one ring: its
+/// other points would cover each other.
+void ShapePainter::joints(const PosedFrame<2>& frame) {
+    constexpr double kRadius = 5, kApart = 24;  // pixels of the screen
+    QList<QPointF> drawn;
+    m_painter.setBrush(Qt::NoBrush);
+    for (const Weld& weld : frame.rest->welds) {
+        Vec2 place = Vec2::Zero();
+        for (const auto& [vertex, weight] : weld.terms)
+            if (weight > 0) place += weight * frame.pose.col(vertex);
+        const QPointF at = m_view.onScreen(inSpace(place));
+        const auto isNear = [&at](const QPointF& other) { return QLineF(at, other).length() < kApart; };
+        if (std::ranges::any_of(drawn, isNear)) continue;
+        drawn << at;
+        for (const auto& [colour, width] :
+             {std::pair(QColor(255, 255, 255, 220), 4.0), {QColor(20, 24, 32), 1.6}}) {
+            m_painter.setPen(QPen(colour, width));
+            m_painter.drawEllipse(at, kRadius, kRadius);
+        }
+    }
+}
+
 void ShapePainter::worst(const ShapeFrame& frame, int cell, const QString& words) {
     if (cell < 0) return;
     const auto place = m_view.placeOf(frame, cell);

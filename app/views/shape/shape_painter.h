@@ -33,6 +33,8 @@ class ShapePainter {
     void groups(const std::vector<GroupMark>& groups);
     /// Draws points that are carried along, such as a cloud.
     void dots(const Points3& points);
+    /// Draws the points at which parts of a picture are joined.
+    void joints(const PosedFrame<2>& frame);
     /// Draws a cross in the middle of a cell; in a solid at its visible place, or a faint ring if it is
     /// hidden. Adds a label unless it is empty.
     void worst(const ShapeFrame& frame, int cell, const QString& words = {});

@@ -26,6 +26,7 @@
 #include "app/session/brush.h"
 #include "app/session/part_making.h"
 #include "app/style/theme.h"
+#include "app/views/canvas/canvas.h"
 #include "app/window/actions/actions.h"
 #include "app/window/export/export_formats.h"
 #include "app/window/files/file_workflow.h"
@@ -74,6 +75,7 @@ class TestPartList : public QObject {
 
   private:
     void dragged();
+    void jointIsMoved(const Vec2& from);
     void lock(int row);
     void stroke(const std::vector<Vec2>& way, Qt::KeyboardModifiers modifiers = {});
     bool isPainted(std::size_t part);
@@ -193,6 +195,36 @@ void TestPartList::signsFollowTheAppearance() {
     }
 }
 
+/// Types another place for the joint of the third part, which is welded there and marked by a ring.
+void TestPartList::jointIsMoved(const Vec2& from) {
+    const Vec2 to = (from + Vec2(4, -3)).array().round();
+    const char* names[] = {"partJointX", "partJointY"};
+    for (int axis = 0; axis < 2; ++axis) {
+        auto* box = panel().findChild<QDoubleSpinBox*>(names[axis]);
+        QVERIFY(box->isVisible() && std::abs(box->value() - from[axis]) < 0.06);
+        box->setValue(to[axis]);
+    }
+    QCOMPARE(parts()[2].joints[0].at, to);
+    QVERIFY(settle(m_f->session()));
+    const auto frame = m_f->session().motion().frame<2>();
+    Vec2 welded = Vec2::Zero();
+    for (const auto& [vertex, weight] : frame->rest->welds.at(0).terms)
+        if (weight > 0) welded += weight * frame->rest->points.col(vertex);
+    QVERIFY((welded - to).norm() < 1e-9);
+    ShapeCanvas& canvas = m_f->window().canvas();
+    QVERIFY(QTest::qWaitFor([&] { return canvas.isSettled(); }, 20000));
+    const QImage seen = canvas.grab().toImage();
+    const double ratio = seen.devicePixelRatio();
+    for (const QPointF& side : {QPointF(5, 0), QPointF(-5, 0), QPointF(0, 5), QPointF(0, -5)}) {
+        const QPoint at = ((canvas.toWidget(to) + side) * ratio).toPoint();
+        int darkest = 255;
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+                darkest = std::min(darkest, qGray(seen.pixel(at + QPoint(dx, dy))));
+        QVERIFY2(darkest < 60, qPrintable(QString::number(darkest)));  // the bar has 87, the board 143
+    }
+}
+
 void TestPartList::listChangesParts() {
     QVERIFY(list().model()->moveRow({}, 0, {}, 3));  // as a drag does
     QTRY_COMPARE(names(), (QStringList{"bar", "board", "dot"}));
@@ -218,6 +250,7 @@ void TestPartList::listChangesParts() {
     QVERIFY(at.x() > 38 && at.x() < 92 && at.y() > 26 && at.y() < 54);
     QVERIFY(settle(m_f->session()));
     QCOMPARE(m_f->session().motion().frame<2>()->rest->welds.size(), std::size_t{1});
+    jointIsMoved(at);
     dragged();
     while (undo().canUndo()) undo().undo();
     QCOMPARE(names(), (QStringList{"dot", "bar", "board"}));
