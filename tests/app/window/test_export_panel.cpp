@@ -164,7 +164,8 @@ void TestExportPanel::kindsAreThoseOfTheShape() {
 
 /// While a shape is being computed, no option can be chosen.
 void TestExportPanel::nothingIsAskedWithoutAShape() {
-    ExportForm form(ExportForm::Fields::Below);
+    ExportChoices choices;
+    ExportForm form(ExportForm::Fields::Below, choices);
     form.setNothing(QStringLiteral("Not yet."));
     form.show();
     QVERIFY(QTest::qWaitForWindowExposed(&form));
