@@ -83,7 +83,7 @@ void ExportForm::setSubject(const ExportSubject& subject) {
     if (shape()->picture() && !m_subject.picture) preparePicture();
 }
 
-/// Sets the fields to the choices, or to their defaults. Leaves equal ones alone, which may be edited.
+/// Leaves fields with equal values alone, because one of them may be edited.
 void ExportForm::takeChoices() {
     for (qsizetype k = 0; k < m_fields.size(); ++k) {
         OptionField& field = *m_fields[k];

@@ -47,6 +47,8 @@ class ExportForm : public QWidget {
 
     /// Sets the subject and takes the choices that apply to it.
     void setSubject(const ExportSubject& subject);
+    /// Sets the fields to the choices, or to their defaults.
+    void takeChoices();
     /// Clears the subject and shows the reason.
     void setNothing(const QString& why);
     ExportKind kind() const { return m_subject.kind; }
@@ -79,7 +81,6 @@ class ExportForm : public QWidget {
     void lay(Fields place);
     void showFormats();
     void showPart();
-    void takeChoices();
     void keepChoices();
     bool isPicture() const;
     bool takes(const std::string& flag) const;

@@ -92,6 +92,7 @@ ExportPanel::ExportPanel(const ShapeMotion& motion, Exporter& exporter, const Ac
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoon);
     connectEach(this, &ExportPanel::showShape, &m_soon, &QTimer::timeout, m_kinds, &QButtonGroup::idClicked);
+    connect(&m_motion.document(), &Document::opened, m_form, &ExportForm::takeChoices);
     connect(m_form, &ExportForm::readyChanged, m_write, &QWidget::setEnabled);
     connectEach(this, &ExportPanel::ask, &m_exporter.crop(), &Crop::changed, &m_exporter,
                 &Exporter::viewTurned, &m_motion, &ShapeMotion::frameChanged, &m_motion,

@@ -62,7 +62,8 @@ InfoBanner::InfoBanner(QWidget* parent)
 }
 
 void InfoBanner::tell(Topic topic, const QString& text, const QList<Remedy>& remedies) {
-    m_lines.removeIf([topic](const Line& line) { return line.topic == topic; });
+    const auto removed = m_lines.removeIf([topic](const Line& line) { return line.topic == topic; });
+    if (text.isEmpty() && removed == 0) return;  // the buttons of another line stay
     if (!text.isEmpty()) m_lines << Line{topic, readable(text), remedies};
     showNewest();
 }
