@@ -14,6 +14,7 @@ namespace wend {
 namespace {
 
 constexpr double kDabSpacing = 0.3;  // of the radius
+constexpr double kMostSteps = 8000;  // between two places of the pointer
 constexpr double kHardnessStep = 0.1;
 constexpr double kStrokeStart = 3;    // pixels of the screen
 constexpr double kHardnessWay = 200;  // pixels from wholly soft to wholly hard
@@ -58,7 +59,8 @@ bool StrokeTool::dab(const QPointF& at, double pressure) {
     return isNew || presses;
 }
 
-/// Interpolates between pointer events, so that strokes have no gaps.
+/// Interpolates between pointer events, so that strokes have no gaps. A line from a place far outside an
+/// enlarged view may be millions of pixels long: it gets at most as many dabs as one across a large screen.
 void StrokeTool::dabsTo(const QPointF& at) {
     const FramePtr frame = this->frame();
     if (!frame || frame->shape != m_mesh) {
@@ -67,7 +69,8 @@ void StrokeTool::dabsTo(const QPointF& at) {
     }
     bool grown = false;
     const double leap = QLineF(m_last, at).length(), pressure = view().pressure();
-    const int steps = std::max(1, static_cast<int>(leap / (0.5 * kDabSpacing * m_brush.now().radius)));
+    const double wanted = leap / (0.5 * kDabSpacing * m_brush.now().radius);
+    const int steps = std::max(1, static_cast<int>(std::min(kMostSteps, wanted)));
     for (int i = 1; i <= steps; ++i) {
         const double part = double(i) / steps;
         grown =

@@ -51,6 +51,7 @@ class TestPainting : public PaintTest {
     void penPressureScalesTheAmount();
     void shiftClicksDrawLines_data() { dimensions(); }
     void shiftClicksDrawLines();
+    void linesFromAfarEnd();
     void keysChangeTheTip_data() { dimensions(); }
     void keysChangeTheTip();
     void keysChooseAStop_data() { dimensions(); }
@@ -550,6 +551,24 @@ void TestPainting::drawLines() {
     QVERIFY(std::ranges::any_of(regions<Dim>(), [&](const auto& region) {
         return region.erases() && std::get<Ball<Dim>>(regionIn<Dim>(region.shape)).centre.isApprox(b, 0.1);
     }));
+}
+
+/// In a greatly enlarged view the end of the last stroke is far beyond any screen: a line from there
+/// ends within this function's time limit.
+void TestPainting::linesFromAfarEnd() {
+    QVERIFY(Bar<2>::open(*m_f));
+    auto& canvas = Bar<2>::canvas(*m_f);
+    m_f->tool("paint")->trigger();
+    set([](BrushSettings& b) { b.radius = Brush::kSmallest; });
+    const QPoint middle = canvas.toWidget(Bar<2>::place(0, 0)).toPoint();
+    QTest::mouseMove(&canvas, middle);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, middle);
+    const QPointF far = middle + QPointF(1e8, 1e8);
+    QMouseEvent move(QEvent::MouseMove, far, canvas.mapToGlobal(far), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&canvas, &move);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, middle);
+    QVERIFY(settle(m_f->session()));
+    QVERIFY(!regions<2>().empty());
 }
 
 void TestPainting::keysChangeTheTip() {
