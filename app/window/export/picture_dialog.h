@@ -34,7 +34,7 @@ struct PictureChoice {
     FilmSound sound = {};
 };
 
-/// What was chosen in the dialog for the last picture or film.
+/// The choices of the dialog for the last picture or film.
 struct PictureSettings {
     QString format;                            // its name
     std::optional<PictureChoice> choice = {};  // without: only the format is known
