@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/style/theme.h"
 #include "warp/convert.h"
 #include "warp/pixels.h"
 #include "warp/warp.h"
@@ -81,33 +82,6 @@ std::shared_ptr<const Image> forScreen(const std::shared_ptr<const Image>& from)
     return to;
 }
 
-/// Computes the lightness from a small level, whose pixels average those of the picture.
-double meanLightness(const Pyramid& pyramid) {
-    constexpr int kEnough = 128;  // pixels a side
-    int small = 0;
-    while (small + 1 < pyramid.levels() &&
-           std::max(pyramid.level(small + 1).width, pyramid.level(small + 1).height) >= kEnough)
-        ++small;
-    const Image& image = pyramid.level(small);
-    std::vector<float> row(static_cast<std::size_t>(image.width) * 4);
-    double sum = 0, weight = 0;
-    for (int y = 0; y < image.height; ++y) {
-        loadRow(image, y, row.data());
-        for (int x = 0; x < image.width; ++x) {
-            const float* pixel = row.data() + std::ptrdiff_t{4} * x;
-            const float alpha = clampedPart(pixel[3]);
-            if (!(alpha > 0)) continue;
-            const auto part = [&](int c) {
-                const float colour = image.unassociated ? pixel[c] : pixel[c] / alpha;
-                return isLinear(image) ? encoded(colour) : clampedPart(colour);
-            };
-            sum += alpha * (0.2126 * part(0) + 0.7152 * part(1) + 0.0722 * part(2));
-            weight += alpha;
-        }
-    }
-    return weight > 0 ? sum / weight : 1;
-}
-
 /// Encodes linear light: colours that are not multiplied with alpha.
 QImage encodedImage(const Image& pixels) {
     const std::vector<std::uint8_t>& table = encodedHalves();
@@ -124,6 +98,20 @@ QImage encodedImage(const Image& pixels) {
         }
     }
     return image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+/// Computes the lightness from a small level, whose pixels average those of the picture.
+double meanLightness(const Pyramid& pyramid) {
+    constexpr int kEnough = 128;  // pixels a side
+    int small = 0;
+    while (small + 1 < pyramid.levels() &&
+           std::max(pyramid.level(small + 1).width, pyramid.level(small + 1).height) >= kEnough)
+        ++small;
+    const Image& image = pyramid.level(small);
+    if (isLinear(image)) return lightnessOf(encodedImage(image));
+    return lightnessOf(
+        QImage(reinterpret_cast<const uchar*>(image.row(0)), image.width, image.height, 4 * image.width,
+               image.unassociated ? QImage::Format_RGBA8888 : QImage::Format_RGBA8888_Premultiplied));
 }
 
 QRgb withRedAndBlueSwapped(QRgb pixel) {
