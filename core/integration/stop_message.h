@@ -23,7 +23,7 @@ Message stopMessage(StopReason reason, const std::string& place, int cell);
 /// Says when and where the shape of an elastic run snapped: the first time, and how many followed. Empty if
 /// it did not. The place has `dimension` coordinates. The place is that of the first snap.
 Message snapMessage(const std::vector<Snap>& snaps, int dimension);
-/// Says the same for a window, in seconds and roughly, for a shape of this size.
+/// Returns the same remark for a window: times in seconds, and places rounded for a shape of this size.
 Message snapRemark(const std::vector<Snap>& snaps, int dimension, double size, double secondsPerUnit);
 
 }  // namespace wend

@@ -67,8 +67,8 @@ SimplicialMesh<Dim> meshFrom(const MeshFile& file);
 template <int Dim>
 std::vector<std::array<int, 2>> foldedPairs(const SimplicialMesh<Dim>& mesh);
 
-/// Returns the unit of length of a 3MF file as that spells it, "millimeter" if it names none; empty if the
-/// file cannot be read.
+/// Returns the unit of length of a 3MF file as the file spells it, or "millimeter" if it names none; empty if
+/// the file cannot be read.
 std::string unitOfThreeMf(const std::string& path);
 
 /// Describes in one line how far single precision moves points that are written with it; empty up to a

@@ -54,8 +54,8 @@ Line withoutLongRuns(const Line& line) {
     return points;
 }
 
-/// Does what CGAL's simplify() does, but queues the lines in their own order: CGAL queues them in the order
-/// of their addresses, and so chooses between equal costs differently from one time to the next.
+/// Simplifies the lines as CGAL's simplify() does, but queues them in the order given: CGAL orders them by
+/// their addresses, so that its choice between equal costs varies between runs.
 void simplify(LineTriangulation& triangulation, const std::vector<LineTriangulation::Constraint_id>& lines,
               double tolerance) {
     using Simplification =

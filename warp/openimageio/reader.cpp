@@ -354,7 +354,8 @@ void readPixels(const PictureSource& source, OIIO::ImageInput& input, Image& ima
         readStrips(source, input, image, sink);
 }
 
-/// Makes the Latin-1 texts of a PNG UTF-8, as its other texts are, which OpenImageIO does not tell apart.
+/// Converts the Latin-1 texts of a PNG file to UTF-8. OpenImageIO does not distinguish them from the others,
+/// which are in UTF-8.
 void makeTextsUtf8(OIIO::ImageSpec& spec) {
     for (OIIO::ParamValue& value : spec.extra_attribs)
         if (const std::string text = value.get_string(0);

@@ -156,8 +156,8 @@ bool holdsField(const MeshFormat& format, const MeshField& field) {
            (format.print == printTetgen && field.name == "attribute");
 }
 
-/// What names are like in a format: bytes that are replaced by another, the most bytes of a name, and whether
-/// names that differ in case alone are equal.
+/// The restrictions of a format on names: bytes that are replaced by another, the maximum number of bytes,
+/// and whether names that differ only in case are equal.
 struct NameRule {
     std::string_view extension, replaced;
     char by;
@@ -193,7 +193,8 @@ std::string shortened(const std::string& text, std::size_t size) {
     return text.substr(0, size);
 }
 
-/// The names that a file has for different names: those that would be equal get a number at their end.
+/// Maps different names to different names in a file: names that would become equal get a number at their
+/// end.
 class DistinctNames {
   public:
     explicit DistinctNames(const NameRule& rule) : m_rule(rule) {}
@@ -255,7 +256,7 @@ std::vector<std::string> nameGroupsFor(const MeshFormat& format, std::vector<Mes
     return names.numbered();
 }
 
-/// Does the same for fields, those of vertices and those of cells apart.
+/// Renames fields in the same manner, separately for those of vertices and those of cells.
 std::vector<std::string> nameFieldsFor(const MeshFormat& format, std::vector<MeshField>& fields) {
     const NameRule* rule = ruleOf(format, kFieldRules);
     if (!rule) return {};

@@ -197,7 +197,7 @@ class ThreeMfReader {
         if (!group.cells.empty()) m_file.groups.push_back(std::move(group));
     }
 
-    /// Names the colours of the models that were read, which are not.
+    /// Adds notices of the models' colours and pictures, which are not read.
     void addNotices() {
         std::size_t colours = 0, pictures = 0;
         for (const auto& [name, document] : m_documents)
